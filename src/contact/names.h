@@ -81,6 +81,11 @@ inline void name_edge(const dsw_edge_id& edge, dsw_contact& contact) noexcept {
   contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
 }
 
+/** Names that one of the two walls at a touched edge, with `front` between them, which has the lower canonical id: the contact of a
+ * body that moves as a whole does not depend on which of its vertices goes first. Nothing is left to do in the plane. */
+inline void name_lower_wall(const Environment<2>&, dsw_contact&) noexcept {}
+void name_lower_wall(const Environment<3>& env, dsw_contact& contact) noexcept;
+
 template <int D>
 void name_vertex(const Map<D>& map, uint32_t vertex, dsw_contact& contact) noexcept {
   contact.kind = DSW_CONTACT_VERTEX;

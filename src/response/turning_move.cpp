@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/names.h"
 #include "response/touch_record.h"
 
 namespace dsw {
@@ -128,6 +129,7 @@ void TurningMove<D>::record_contact(Steps& steps, const Partners<D>* partners, d
     record_touch(env_, steps.body, way_, touches_.touched(), partner == kNone ? nullptr : &partners->all[partner],
                  record);
   }
+  for (dsw_body_contact& contact : record.contacts) name_lower_wall(env_, contact.contact);
   if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
 }
 

@@ -279,6 +279,17 @@ static void beside_moves(unsigned dimension, double radius, size_t *stops, size_
   end_scene(wide);
 }
 
+/* An edge that comes to an edge between two walls: rounding decides which of its ends goes first, and not which wall is named. */
+static void tied_walls(void) {
+  static const uint64_t states[] = {88172645495325351u, 88172645508325390u, 7812917712752661320u, 6296099840450688519u};
+  size_t stops = 0, blocked = 0, i;
+  for (i = 0; i < sizeof states / sizeof *states; ++i) {
+    g_state = states[i];
+    beside_moves(3, 0, &stops, &blocked);
+  }
+  CHECK(stops > 0);
+}
+
 int main(int argc, char **argv) {
   unsigned dimension;
   for (dimension = 2; dimension <= 3; ++dimension) {
@@ -292,5 +303,6 @@ int main(int argc, char **argv) {
       printf("dimension %u: %zu stops, %zu blocked\n", dimension, stops, blocked);
     CHECK(stops > 0 && blocked > 0);
   }
+  tied_walls();
   return check_result();
 }
