@@ -1,8 +1,10 @@
 // Moves of thin bodies against rational arithmetic.
 #include "response/rigid_move.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -61,9 +63,9 @@ struct Scene {
 struct Tally {
   std::size_t moves = 0, touching = 0, stopped = 0, asked = 0;
   std::size_t passed = 0, not_free_after = 0, false_stops = 0, end_not_free = 0, time_error = 0, silent = 0;
-  std::size_t wide = 0, passed_deep = 0, free_asked = 0, free_differs = 0;
+  std::size_t wide = 0, wide_at_end = 0, avoidable = 0, passed_deep = 0, free_asked = 0, free_differs = 0;
   std::size_t faults = 0, printed = 0;
-  double deepest = 0;
+  double deepest = 0, gap_at_end = 0, least_gap = 0;
   std::vector<double> gaps;
   std::array<std::size_t, 4> planted{}, planted_touching{}, passed_by_plant{}, false_by_plant{}, late_by_plant{};
 };
@@ -118,6 +120,26 @@ void print_case(const Scene& scene, const Truth& truth, const Figure& standing, 
     }
     std::printf(", now %.3Lg apart\n", distance(places, each.body, standing, each.standing));
   }
+}
+
+/** The least gap of what touches first, in units in the last place at the end, among free places that the motion has at doubles up to
+ * the touch: as all vertices are rounded from one fraction, no stop comes nearer. Infinity: none of these is free. */
+template <int D>
+double least_gap(const Case& c, const Truth& truth, const Figure& standing,
+                 const std::function<bool(const std::vector<Point>&)>& is_free_at) {
+  constexpr int kPlaces = 256;
+  const RigidMove<D> move(c.motion.rotation, c.motion.centre, c.motion.translation);
+  double least = HUGE_VAL, fraction = truth.time;
+  for (int i = 0; i < kPlaces && fraction > 0; ++i, fraction = std::nextafter(fraction, 0)) {
+    const std::vector<Point> places = rounded<D>(move, c.body.points, fraction);
+    long double gap = 1e300L;
+    for (const Touching& each : truth.pairs) {
+      gap = std::min(gap, distance(places, each.body, standing, each.standing));
+    }
+    const double units = static_cast<double>(gap) / unit_of(places);
+    if (units < least && is_free_at(places)) least = units;
+  }
+  return least;
 }
 
 /** How far the two are from passing each other beside the border of one of them, when they touch. */
@@ -245,9 +267,19 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
     for (const Touching& each : truth.pairs) {
       least = std::min(least, distance(places, each.body, standing, each.standing));
     }
-    gap = static_cast<double>(least) / unit_of(places);
+    // A place is a sum of where the vertex was and of its way: it is rounded as these are.
+    gap = static_cast<double>(least) / std::max(unit_of(places), unit_of(c.body.points));
     tally.gaps.push_back(gap);
     tally.wide += gap > 16 ? 1 : 0;
+    const double at_end = static_cast<double>(least) / unit_of(places);
+    tally.gap_at_end = std::max(tally.gap_at_end, at_end);
+    if (at_end > 16) {
+      const double reached = least_gap<D>(c, truth, standing, free_at);
+      ++tally.wide_at_end;
+      tally.avoidable += reached <= 16 ? 1 : 0;
+      tally.least_gap = std::max(tally.least_gap, reached);
+      if (is_printed) std::printf("  %.17g units at the end, at least %.17g at any fraction\n", at_end, reached);
+    }
   }
   const auto say = [&](const char* fault, double value) {
     if (++tally.faults > tally.printed) return;
@@ -311,6 +343,10 @@ bool run_moves(const Options& options, Report& report) {
   report.set("rigid.gap_at_stop_median", bench::median(tally.gaps));
   report.set("rigid.gap_at_stop_p99", bench::quantile(tally.gaps, 0.99));
   set("gap_at_stop_wide", tally.wide);
+  report.set("rigid.gap_at_stop.end_units", tally.gap_at_end);
+  report.set("rigid.gap_at_stop.end_units_least", tally.least_gap);
+  set("gap_at_stop.end_units_wide", tally.wide_at_end);
+  set("gap_at_stop.end_units_avoidable", tally.avoidable);
   return tally.passed + tally.not_free_after + tally.false_stops + tally.time_error + tally.wide + tally.free_differs ==
          0;
 }
