@@ -213,6 +213,7 @@ list(APPEND dsw_sources
 
 # response: what is done about it
 list(APPEND dsw_sources
+  response/allowed_motion.cpp
   response/body_move.cpp
   response/clear_parts.cpp
   response/course.cpp
@@ -354,6 +355,7 @@ list(APPEND dsw_sources
   scene/rigid_moves.cpp
   scene/rays.cpp
   scene/right_side.cpp
+  scene/motions_left.cpp
   scene/rigid_deform.cpp
   scene/rigid_together.cpp
   scene/step_fraction.cpp

@@ -137,15 +137,20 @@ DSW_API dsw_status dsw_scene_deform(dsw_scene *scene, double *next, size_t point
 
 /** Takes rigid bodies along their motions, as dsw_scene_move_rigid, while the environment goes to
  * new positions, as in dsw_scene_deform: all at once and steadily, up to the first touch of anything.
+ * Thick bodies keep their distances at every time. After a stop, `stop` FEATURE with `response`
+ * SLIDE lets bodies go on in rigid motions: along walls, and pushed by what is left of a wall's way.
+ * They do not push each other, and walls stop at what stands.
  * @param next `point_count` points, see dsw_scene_deform.
  * @param motions one for each body.
- * @param options `stop` is ALL and `response` STOP.
- * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED. Contacts have `response` DSW_WALL_STOP.
- * @param reports one for each body, as of dsw_scene_move_rigid.
- * @return as dsw_scene_deform; UNSUPPORTED: a body of the scene has a radius, or another `stop` or
- * `response`.
- * @note Cost: as dsw_scene_move_rigid, and O(n + particles) for each of its steps. Writes the
- * environment, too. Thread: one. @since 2.1 */
+ * @param options `stop` is ALL with `response` STOP, or FEATURE with SLIDE. `max_rounds` is the
+ * number of further motions.
+ * @param report `outcome`: DONE, FRACTION, REFUSED or LIMITED. `fraction`: of the environment's way.
+ * Contacts have `response` DSW_WALL_STOP.
+ * @param reports one for each body, as of dsw_scene_move_rigid. With SLIDE `fraction` is that of the
+ * first stop, and `vertices_stopped` are farther from their targets than 32 roundings.
+ * @return as dsw_scene_deform; UNSUPPORTED: another `stop` or `response`. CARRY is not supported.
+ * @note Cost: as dsw_scene_move_rigid, and O(n + particles) for each of its steps; with SLIDE for
+ * each motion. Writes the environment, too. Thread: one. @since 2.1 */
 DSW_API dsw_status dsw_scene_deform_rigid(dsw_scene *scene, double *next, size_t point_count,
                                           const dsw_body_id *bodies, size_t count,
                                           const dsw_rigid_motion *motions,

@@ -118,6 +118,18 @@ dsw::Array<dsw::RigidMove<D>> check_motions(const dsw::Scene<D>& scene, const ds
   return rigid;
 }
 
+/** How rigid bodies can stop in an environment that moves. */
+void check_rigid_stop(const dsw::TogetherSettings& settings, const dsw_scene_deform_options& o) {
+  const bool slides = settings.response == dsw::TogetherResponse::kSlide;
+  if (settings.stop == dsw::TogetherStop::kAll || (settings.stop == dsw::TogetherStop::kFeature && slides)) return;
+  if (settings.stop == dsw::TogetherStop::kIsland) {
+    fail(DSW_STATUS_UNSUPPORTED, "options->stop is ISLAND: all touch the same environment");
+  }
+  fail(DSW_STATUS_UNSUPPORTED,
+       "options->response is %u, must be SLIDE where options->stop is FEATURE: rigid bodies go on as a whole",
+       capi::raw_value(o.response));
+}
+
 }  // namespace
 
 dsw_status dsw_scene_move_rigid(dsw_scene* scene, const dsw_body_id* bodies, size_t count,
@@ -184,11 +196,7 @@ dsw_status dsw_scene_deform_rigid(dsw_scene* scene, double* next, size_t point_c
     capi::check_enabled(s.features.deforming, "DSW_FEATURE_DEFORMING");
     const dsw_scene_deform_options o = capi::read_optional(options, "options", 0);
     const dsw::TogetherSettings settings = to_settings(o);
-    if (settings.stop != dsw::TogetherStop::kAll) {
-      fail(DSW_STATUS_UNSUPPORTED,
-           "options->stop is %u, must be ALL: rigid bodies stop as a whole, and all touch the same environment",
-           capi::raw_value(o.stop));
-    }
+    check_rigid_stop(settings, o);
     capi::check_next(s.env, next, point_count, o.point_room);
     const dsw::Array<dsw::BodyRecord<D>*> records = capi::check_bodies<D>(s, bodies, count);
     const dsw::Array<dsw::RigidMove<D>> rigid = check_motions(s, records, motions);

@@ -16,7 +16,7 @@ namespace dsw {
 // first obstacle, and there of the first part, counts, whatever was asked first.
 template <int D>
 FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners,
-                                       double until, const double* reached) {
+                                       double until, const double* reached, double beside) {
   first_ = {false, until};
   flood_.set_next(reached == nullptr ? next_ : reached);
   is_open_ = false;
@@ -24,7 +24,7 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
   parts_.clear();
   others_.clear();
   turns_.clear();
-  find_obstacles(body, way);
+  find_obstacles(body, way, beside);
   for (const WallFeature& obstacle : obstacles_.obstacles()) add_obstacle(way, obstacle);
   for (uint32_t i = 0; partners != nullptr && i < partners->all.size(); ++i) {
     if (partners->all[i].body != &body) add_body(way, *partners, i);
@@ -46,14 +46,14 @@ FirstTouch RigidTouches<D>::find_first(const Body<D>& body, const RigidWay<D>& w
 
 /** Parts of a body that are not joined may be in different rooms. */
 template <int D>
-void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way) {
+void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way, double beside) {
   uint32_t v = 0;
   while (v < body.vertices.size() && !body.has_vertex(v)) ++v;
   if (v == body.vertices.size()) return;
   Box<D> all;
   for (uint32_t piece = 0; piece <= last_piece(way); ++piece) all.add(way.box(piece));
   const double* const corners[2] = {all.lower, all.upper};
-  NearRegion<D> region(corners, 1, 0);
+  NearRegion<D> region(corners, 1, beside);
   double at[D];
   for (uint32_t bits = 1; bits < 1u << D; ++bits) {
     for (uint32_t k = 0; k < D; ++k) at[k] = corners[(bits >> k) & 1][k];

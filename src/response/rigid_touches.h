@@ -42,9 +42,10 @@ class RigidTouches {
 
   /** Finds when the body first enters something: a wall under the shift, or another body as soon as they touch.
    * @param until what is entered after this time need not be found.
-   * @param reached where points of the environment that go are at that time; null: where set_next() leads them. */
+   * @param reached where points of the environment that go are at that time; null: where set_next() leads them.
+   * @param beside cells that are within this distance of the way are among cells(). */
   FirstTouch find_first(const Body<D>& body, const RigidWay<D>& way, const Partners<D>* partners, double until = 1,
-                        const double* reached = nullptr);
+                        const double* reached = nullptr, double beside = 0);
   /** Whether find_first has found pairs that touch at time 0 and does not know what they do then. */
   bool is_open_at_start() const noexcept { return is_open_; }
   /** What find_first has found, if it enters anything. */
@@ -64,7 +65,7 @@ class RigidTouches {
   struct Turn {
     uint32_t piece, number;
   };
-  void find_obstacles(const Body<D>& body, const RigidWay<D>& way);
+  void find_obstacles(const Body<D>& body, const RigidWay<D>& way, double beside);
   void add_obstacle(const RigidWay<D>& way, const WallFeature& obstacle);
   void add(const RigidWay<D>& way, const RigidTouch<D>& other);
   void add_body(const RigidWay<D>& way, const Partners<D>& partners, uint32_t number);

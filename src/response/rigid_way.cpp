@@ -18,7 +18,7 @@ void RigidWay<D>::start(const Body<D>& body, const RigidMove<D>& motion) {
   const double* const q = way_.turn[1];
   const double sine = std::sqrt((q[0] * q[0] + q[1] * q[1]) + q[2] * q[2]), least = 0.5 * (1 + q[3]);
   const double speed = 2 * sine / least, change = 4 * sine * (1 - q[3]) / (least * least);
-  const Vec axis = sine > 0 ? Vec(Vec(q[0], q[1], q[2]) / sine) : Vec(Vec::Zero());
+  axis_ = sine > 0 ? Vec(Vec(q[0], q[1], q[2]) / sine) : Vec(Vec::Zero());
   bend_ = (speed * speed + change) * (1 + 0x1p-20);
   // Beside its chord a piece bends by 1/64 of the radius at most.
   pieces_ = 4;
@@ -30,7 +30,7 @@ void RigidWay<D>::start(const Body<D>& body, const RigidMove<D>& motion) {
   for (uint32_t v = 0; v < count; ++v) {
     if (!body.has_vertex(v)) continue;
     std::copy_n(body.position(v), D, origins_.data() + D * size_t{v});
-    const Vec across = axis.cross(to_vec<D>(body.position(v)) - to_vec<D>(way_.centre));
+    const Vec across = axis_.cross(to_vec<D>(body.position(v)) - to_vec<D>(way_.centre));
     radii_[v] = std::sqrt(dot(across, across)) * (1 + 0x1p-20);
     radius_ = std::max(radius_, radii_[v]);
   }

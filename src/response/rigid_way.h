@@ -47,6 +47,8 @@ class RigidWay {
   /** The largest coordinate on the way. */
   double largest() const noexcept { return largest_; }
   bool turns() const noexcept { return bend_ > 0; }
+  /** A unit vector: beside straight ways points are across it alone. Zero if nothing turns. */
+  const Vec& axis() const noexcept { return axis_; }
 
  private:
   void find_places(const Body<D>& body, const RigidMove<D>& motion);
@@ -58,6 +60,7 @@ class RigidWay {
   Array<double> radii_;  // from the axis, by vertex
   uint32_t pieces_ = kMostPieces;
   Box<D> boxes_[kMostPieces], whole_;
+  Vec axis_ = Vec::Zero();
   double bend_ = 0;  // of the way of a point at distance 1 from the axis: its largest second derivative
   double radius_ = 0, largest_ = 0, unit_ = 0, least_step_ = 0;
 };

@@ -30,10 +30,11 @@ double dot6(const double* a, const double* b) noexcept {
 /** Finds the nearest point of an intersection of half-spaces. */
 class NearestPoint {
  public:
-  NearestPoint(const HalfSpace6* spaces, int count, const double* wanted) noexcept
+  /** @param scale the square of a length: what is far smaller does not count. */
+  NearestPoint(const HalfSpace6* spaces, int count, const double* wanted, double scale) noexcept
       : spaces_(spaces), count_(count), wanted_(wanted) {
     std::copy_n(wanted, kSix, y_);
-    slack_ = kSlack * std::sqrt(dot6(wanted, wanted));
+    slack_ = kSlack * std::sqrt(scale);
   }
 
   const double* find() noexcept {
@@ -184,12 +185,23 @@ Inertia<D>::Inertia(const Body<D>& body) noexcept : middle(Vec::Zero()), size(0)
 }
 
 template <int D>
+void TouchedPlanes<D>::make_room() noexcept {
+  if (count_ < kMost) return;
+  std::move(planes_ + 1, planes_ + kMost, planes_);
+  --count_;
+}
+
+template <int D>
 void TouchedPlanes<D>::add(const Vec& normal, const Vec& point) noexcept {
-  if (count_ == kMost) {
-    std::move(planes_ + 1, planes_ + kMost, planes_);
-    --count_;
-  }
+  make_room();
   planes_[count_++] = {normal, point, point};
+}
+
+template <int D>
+void TouchedPlanes<D>::add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way,
+                                  double tilt) noexcept {
+  make_room();
+  planes_[count_++] = {normal, at, point, way, tilt, !is_zero(way) || tilt > 0};
 }
 
 template <int D>
@@ -212,7 +224,13 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
     from[3 + k] = 0;
     for (int i = k; i < 3; ++i) from[3 + k] += L[i][k] * wanted.turn[i];
   }
-  const double whole = dot6(from, from);
+  double whole = dot6(from, from);
+  bool any_moves = false;
+  for (int i = 0; i < count_; ++i) {
+    const double push = dot(planes_[i].normal, planes_[i].way) / inertia.size;
+    if (push > 0) whole = std::max(whole, push * push);
+    any_moves = any_moves || planes_[i].moves;
+  }
   if (!(whole > 0) || !std::isfinite(whole)) return false;
   HalfSpace6 spaces[kMostPlanes];
   double bend = 0;  // of a point at distance 1 from the axis
@@ -229,8 +247,14 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
         space.a[3 + k] = sum / L[k][k];
       }
       space.least = (off - gap) / inertia.size + bend * length(arm);
+      if (plane.moves) {
+        // A point that slides along what turns needs as much more room.
+        const Vec shift = round == 0 ? plane.way : allowed->shift + inertia.size * allowed->turn.cross(arm);
+        const double turns = plane.tilt + std::sqrt(2 * bend);
+        space.least += (dot(plane.normal, plane.way) + turns * length(shift - plane.way)) / inertia.size;
+      }
     }
-    NearestPoint nearest(spaces, count_, from);
+    NearestPoint nearest(spaces, count_, from, whole);
     const double* const y = nearest.find();
     double turn[3];
     for (int k = 2; k >= 0; --k) {
@@ -243,7 +267,7 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
     allowed->shift = Vec(y[0], y[1], y[2]) * inertia.size;
     if (D == 2) allowed->shift[2] = 0;
     bend = 0.5 * dot(allowed->turn, allowed->turn);
-    if (round == 1 || bend == 0) return dot6(y, y) > kLeast * kLeast * whole;
+    if (round == 1 || (bend == 0 && !any_moves)) return dot6(y, y) > kLeast * kLeast * whole;
   }
   return false;
 }

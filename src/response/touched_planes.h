@@ -39,19 +39,28 @@ class TouchedPlanes {
   /** Adds a plane. If there are too many, the oldest one goes first.
    * @param normal towards the side of the body, of length 1. */
   void add(const Vec& normal, const Vec& point) noexcept;
+  /** Adds a plane that may go along.
+   * @param at of the plane; `point`: of the body.
+   * @param way of the plane while the body makes the motion that is asked for.
+   * @param tilt by how much its normal turns on that way. */
+  void add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way, double tilt) noexcept;
   /** The body has moved, and its points with it. */
   void follow(const RigidMotion<D>& made) noexcept;
 
   /** The part of a twist that the planes allow: among all small motions that enter no plane, finds the one that brings the vertices
    * nearest to where the wanted twist would. Planes are kept at a distance of `off`, and by as much more as points bend off their
-   * ways. False: next to nothing is allowed. */
+   * ways. Planes that go along push. False: next to nothing is allowed. */
   bool allow(const Inertia<D>& inertia, const Twist& wanted, double off, Twist* allowed) const noexcept;
 
  private:
   static constexpr int kMost = 12;
   struct Plane {
     Vec normal, at, point;  // at: of the plane; point: of the body, where it is now
+    Vec way = Vec::Zero();
+    double tilt = 0;
+    bool moves = false;
   };
+  void make_room() noexcept;
   Plane planes_[kMost];
   int count_ = 0;
 };

@@ -8,8 +8,8 @@
 namespace dsw {
 
 /** Takes the environment to the points `next` and bodies, distinct, along their motions, up to the first touch of anything. All else
- * stands still. What came of it is in the scene's deformation and in the bodies' records. Throws std::bad_alloc, NON_FINITE and
- * UNSUPPORTED where a body of the scene is thick: then nothing has changed.
+ * stands still. What came of it is in the scene's deformation and in the bodies' records. Throws std::bad_alloc and NON_FINITE: then
+ * nothing has changed.
  * @param point_room see WallSettings.
  * @param settings only the limit of work counts. */
 template <int D>

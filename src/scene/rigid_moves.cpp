@@ -10,8 +10,8 @@
 
 #include "base/eigen.h"
 #include "base/vec.h"
+#include "response/allowed_motion.h"
 #include "response/body_move.h"
-#include "response/touched_planes.h"
 #include "response/turning_move.h"
 #include "scene/meeting.h"
 
@@ -111,37 +111,14 @@ class RigidSlide {
   /** What the touched walls allow of a share of what is left. False: next to nothing. */
   bool propose(double share, PlainMotion* motion) const {
     *motion = left();
-    const RigidMove<D> whole(motion->rotation, motion->centre, motion->translation);
     if (planes_.empty()) return share == 1;
     const Inertia<D> inertia(body_);
-    double size = 0;
-    for (const BodyVertex<D>& each : body_.vertices) {
-      if (each.cell.valid()) size = std::max(size, largest(to_vec<D>(each.position)));
-    }
-    const double units = kUnits * (std::nextafter(size, 2 * size + 1) - size);
-    Twist wanted, allowed;
     // Planes hold for small turns: others are made in several motions.
-    for (int halvings = 0;; ++halvings, share *= 0.5) {
-      if (halvings == kMostHalvings) return false;
-      const RigidMotion<D> part = whole.part(share);
-      double middle[3] = {}, to[3] = {};
-      store<D>(inertia.middle, middle);
-      part.place(middle, to);
-      wanted.shift = to_vec<D>(to) - inertia.middle;
-      wanted.turn = (2 / part.rotation[3]) * to_vec<3>(part.rotation);
-      if (!(length(wanted.turn) <= kMostTurn)) continue;
-      if (!planes_.allow(inertia, wanted, kStandOff * length(wanted.shift) + units, &allowed)) return false;
-      if (length(allowed.turn) <= kMostTurn) break;
+    for (int halvings = 0; halvings < kMostHalvings; ++halvings, share *= 0.5) {
+      const Allowed allowed = find_allowed(body_, inertia, planes_, *motion, share, motion);
+      if (allowed != Allowed::kTooFar) return allowed == Allowed::kFound;
     }
-    PlainMotion found;
-    store<3>(0.5 * allowed.turn, found.rotation);
-    store<D>(inertia.middle, found.centre);
-    store<D>(allowed.shift, found.translation);
-    for (int k = 0; k < 3; ++k) {
-      if (!std::isfinite(found.rotation[k]) || !std::isfinite(found.centre[k] + found.translation[k])) return false;
-    }
-    *motion = found;
-    return true;
+    return false;
   }
 
   /** How far the vertices are from their targets: the mean of the squares, or infinity. */
@@ -164,7 +141,6 @@ class RigidSlide {
   }
 
  private:
-  static constexpr double kMostTurn = 0.25, kStandOff = 0x1p-40, kUnits = 32;
   static constexpr int kMostHalvings = 24;
 
   const Body<D>& body_;

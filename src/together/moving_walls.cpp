@@ -159,9 +159,10 @@ void MovingWalls<D>::collect(const Trajectory<D>& of, Near& near) {
   const SimplexCorners<D> corners(body, near.part);
   // Outer parts keep their distances for those that they cover.
   const bool is_outer = !is_covered(body, near.part);
+  const double radius = is_outer || !of.is_led ? body.radius : 0;
   list_.clear();
   flood_.find(&body.vertices[corners.vertices[0]].cell, 1,
-              region_of_way(of, near.part, is_outer || !of.is_led ? body.radius : 0), list_);
+              region_of_way(of, near.part, radius > 0 ? radius + of.bend.most : 0), list_);
   near.first_feature = static_cast<uint32_t>(features_.size());
   near.first_cell = static_cast<uint32_t>(cells_.size());
   add_cells();

@@ -13,10 +13,17 @@ namespace dsw {
 
 template <int D>
 void RoomSteps<D>::begin(const double* next, Array<dsw_volume_id>& invalid) {
-  start_ = env_.points;
   next_ = next;
   invalid_ = &invalid;
-  for (Array<double>& each : points_) each.resize(size_t{D} * env_.map.vertex_count);
+  for (Array<double>& each : points_) {
+    each.resize(size_t{D} * env_.map.vertex_count);
+    if (env_.points != each.data()) continue;
+    starts_.assign(each.begin(), each.end());  // the steps write where they are
+    env_.points = starts_.data();
+  }
+  start_ = env_.points;
+  contacts.clear();
+  least_step_ = 1;
 }
 
 /** The points at a part of the way, where the environment does not read them. */
@@ -60,11 +67,10 @@ bool RoomSteps<D>::find_first(FirstTouch& first) {
   if (!ways_.walls.stay_valid()) return false;
   ways_.walls.set_next(next_);
   if (!ways_.find_touches(standing)) return true;
-  const FirstTouch& touch = ways_.first[0].first;
-  if (first.touches && first.time < touch.time) return true;
-  first = touch;
-  least_step_ = std::min(least_step_, std::max(0x1p-53, step_back(ways_.first[0])));
-  ways_.walls.describe(standing, ways_.first);
+  if (first.touches && first.time < ways_.touch_time()) return true;
+  first = {true, ways_.touch_time()};
+  least_step_ = std::min(least_step_, std::max(0x1p-53, ways_.step_from_touch()));
+  ways_.describe(standing);
   standing_touched_.assign(ways_.walls.contacts.begin(), ways_.walls.contacts.end());
   return true;
 }
@@ -88,8 +94,7 @@ bool RoomSteps<D>::go_to(Array<Trajectory<D>>& trajectories, double fraction, bo
   if (!ways_.walls.stay_valid()) return false;
   if (ways_.find_touches(trajectories)) {
     if (keeps) {
-      describe_touches(env_, trajectories, ways_.first);
-      ways_.walls.describe(trajectories, ways_.first);
+      ways_.describe(trajectories);
       contacts.assign(ways_.walls.contacts.begin(), ways_.walls.contacts.end());
     }
     return false;

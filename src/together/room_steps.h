@@ -17,7 +17,8 @@ class RoomSteps {
   RoomSteps(const RoomSteps&) = delete;
   RoomSteps& operator=(const RoomSteps&) = delete;
 
-  /** The points go from where they are to `next`. Volumes that do not stay valid are appended to `invalid`. */
+  /** The points go from where they are to `next`. Volumes that do not stay valid are appended to `invalid`. May be called again:
+   * from where they have gone. */
   void begin(const double* next, Array<dsw_volume_id>& invalid);
   const double* next() const noexcept { return next_; }
   /** Looks at a part of the whole way, from its start. Returns where the points are at its end. */
@@ -59,6 +60,7 @@ class RoomSteps {
   const double *start_ = nullptr, *next_ = nullptr;
   Array<dsw_volume_id>* invalid_ = nullptr;
   Array<dsw_volume_id> met_invalid_{env_.memory};  // in the last look, or step
+  Array<double> starts_{env_.memory};              // where they had gone when they began again
   Array<double> points_[2] = {Array<double>(env_.memory), Array<double>(env_.memory)};
   Array<dsw_wall_contact> standing_touched_{env_.memory};
   double least_step_ = 1;

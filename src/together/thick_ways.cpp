@@ -200,28 +200,41 @@ double last_turning(const HullWays<D>& ways, double begin, double least, double 
   return least;
 }
 
+/** Whether a direction shows on the whole way that a distance is kept while points are beside their straight ways. At a time t
+ * they are by at most 4 t (1 - t) of the bend there, as the error of a linear interpolation. */
+template <int D>
+bool keeps_bent(const LinearGap<D>& along, double bend, double kept) noexcept {
+  for (uint32_t n = 0; n < along.count; ++n) {
+    const double c0 = (along.start[n] - along.lost) - kept, c2 = (along.end[n] - along.lost) - kept,
+                 c1 = (c0 + c2) / 2 - 2 * bend;  // control values of a quadratic function
+    if (!(c0 >= 0 && c2 >= 0)) return false;
+    if (!(c1 >= 0) && !(c0 * c2 > c1 * c1 * (1 + 0x1p-40))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
 double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known) noexcept {
   constexpr int kMostPieces = 100, kMostNearPieces = 12;
   constexpr double kNear = 0x1p-37;
-  if (are_boxes_apart(ways, wanted)) return most;
-  double time = 0, accepted = least_kept(wanted);
-  if (shows(ways, *known, most, accepted)) return most;
+  if (are_boxes_apart(ways, wanted + ways.bend())) return most;
+  double time = 0, kept = least_kept(wanted);
+  if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
   *known = across_facet(ways);
-  if (shows(ways, *known, most, accepted)) return most;
+  if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
   const auto gap_at = [&](double at, double enough) {
     double places[2][4][D];
     ConvexHull hulls[2];
     place(ways, at, places, hulls);
-    return find_gap<D>(hulls[0], hulls[1], enough, accepted);
+    return find_gap<D>(hulls[0], hulls[1], enough, kept);
   };
-  const double far = accepted + most_change(ways);
+  const double far = kept + ways.bend() + most_change(ways);
   HullGap gap = gap_at(0, far);
   *known = gap.normal;
   if (gap.bound >= far) {
-    if (shows(ways, *known, most, accepted)) return most;
+    if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
     gap = gap_at(0, kInf);
   }
   for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
@@ -229,16 +242,20 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
     *known = gap.normal;
     const LinearGap<D> along(ways, gap.normal);
+    const double bend = ways.bend(gap.normal);
+    double accepted = kept + bend;
     if (piece == 0) {
       const double at_start = along.at(0);
       if (!(at_start >= less_share(wanted, 0x1p-30))) return 0;
-      const double slack = std::clamp((at_start - least_at_rest(wanted)) / 2, 0.0, rounding_of(ways));
+      const double slack = std::clamp((at_start - bend - least_at_rest(wanted)) / 2, 0.0, rounding_of(ways));
+      if (bend > 0 && at_start < accepted) return keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
       if (at_start - slack < accepted && along.at(most) >= at_start - slack) return most;
-      accepted = std::min(accepted, at_start);
+      kept = std::min(kept, at_start);
+      accepted = kept + bend;
     }
     if (!(along.at(time) >= accepted)) return time;
     double last = along.last(time, most, accepted);
-    if (last < most) last = last_turning(ways, time, last, most, gap, accepted);
+    if (last < most) last = last_turning(ways, time, last, most, gap, kept + ways.bend());
     if (last >= most) return most;
     // Pieces become short where a wall turns as fast as it comes nearer.
     near_pieces += gap.distance - accepted < kNear * wanted ? 1 : 0;
@@ -289,7 +306,7 @@ void ThickWays<D>::find_bodies(const Array<Trajectory<D>>& trajectories) {
   boxed_ = static_cast<uint32_t>(outers_.size());
   for (uint32_t i = 0; i < outers_.size(); ++i) {
     const Trajectory<D>& of = trajectories[outers_[i].trajectory];
-    outers_[i].box = widened(box_of_way(of, outers_[i].part), of.motion.body->radius);
+    outers_[i].box = widened(box_of_way(of, outers_[i].part), of.motion.body->radius + of.bend.most);
     grid_.put(i, outers_[i].box);
   }
   for (uint32_t i = 0; i < outers_.size(); ++i) {
@@ -314,7 +331,8 @@ void ThickWays<D>::find_walls(const Array<Trajectory<D>>& trajectories, uint32_t
   }
   const SimplexCorners<D> corners(*of.motion.body, outer.part);
   list_.clear();
-  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1, region_of_way(of, outer.part, radius), list_);
+  flood_.find(&of.motion.body->vertices[corners.vertices[0]].cell, 1,
+              region_of_way(of, outer.part, radius + of.bend.most), list_);
   for (const WallFeature& wall : list_.obstacles()) add_wall(outer, wall, radius);
 }
 
@@ -394,6 +412,7 @@ bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair
     moves = moves || !std::equal(start, start + D, end);
   };
   const Trajectory<D>& of = trajectories[pair.trajectory];
+  ways.bends[0] = of.bend;
   for (const uint32_t v : SimplexCorners<D>(*of.motion.body, pair.part)) add(0, v, of.start(v), of.end(v));
   if (pair.other == nullptr) {
     const WallFeature& wall = walls_[pair.wall];
@@ -401,6 +420,12 @@ bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair
       add(1, i, env_.point(wall.vertices[i]), &wall_ends_[D * (3 * size_t{pair.wall} + i)]);
     }
     return moves;
+  }
+  // A body that bends as a whole keeps its own distances.
+  if (pair.other_trajectory == pair.trajectory) {
+    ways.bends[0] = {};
+  } else if (pair.other_trajectory != kNone) {
+    ways.bends[1] = trajectories[pair.other_trajectory].bend;
   }
   for (const uint32_t v : SimplexCorners<D>(*pair.other->body, pair.other_part)) {
     const double* const start = pair.other->body->position(v);
@@ -411,6 +436,7 @@ bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair
     std::swap(ways.end[0], ways.end[1]);
     std::swap(ways.corner[0], ways.corner[1]);
     std::swap(ways.count[0], ways.count[1]);
+    std::swap(ways.bends[0], ways.bends[1]);
     ways.first = 1;
   }
   return moves;

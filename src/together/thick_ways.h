@@ -16,6 +16,10 @@ struct HullWays {
   uint32_t corner[2][4];  // of the part, or of the wall: which point this is
   uint32_t count[2];
   uint32_t first = 0;  // which of the two is the pair's first
+  Bend bends[2];       // of the two, beside these ways
+
+  double bend() const noexcept { return bends[0].most + bends[1].most; }
+  double bend(const Vec& direction) const noexcept { return bends[0].along(direction) + bends[1].along(direction); }
 };
 
 /** Up to which time, at most `most`, two hulls keep a distance while their points go straight and steadily: certified, so at

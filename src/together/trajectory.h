@@ -22,6 +22,18 @@ namespace dsw {
 /** No vertex is led farther along an axis than so many times the longest way. */
 constexpr double kMostLed = 4;
 
+/** How points that turn about an axis are beside straight ways between two of their places. */
+struct Bend {
+  double most = 0;         // how far at most, at any time; nothing at both ends
+  Vec axis = Vec::Zero();  // a unit vector: they are across it alone; zero: any way
+
+  /** How far at most along a unit vector. */
+  double along(const Vec& direction) const noexcept {
+    constexpr double kRounding = 0x1p-48;
+    return most > 0 ? most * std::min(1.0, length(direction.cross(axis)) + kRounding) : 0;
+  }
+};
+
 /** A body of a call. Every vertex goes straight and steadily from its position to its end. */
 template <int D>
 struct Trajectory {
@@ -34,6 +46,7 @@ struct Trajectory {
   Array<double> ends;     // where they go in the way that is looked at
   Array<double> reaches;  // empty, or ends of the ways that parts are collected for; then these are not the targets
   bool stands = false;    // nothing moves it
+  Bend bend;              // of its points beside their straight ways
   bool is_led = false;    // rows may lead its vertices aside
   Array<Box<D>> rooms;    // if it is led: the places of each vertex that walls are collected for
   double beyond = 0;      // how far these lie beyond the ways

@@ -2,6 +2,9 @@
 // vertices go straight, at once: that finds the cells of the vertices, and verifies the rounded places. If a step meets something,
 // it is halved: between a chord and its arc something may stand. An environment that moves as well goes along in these steps, and is
 // looked at up to where the volumes that the bodies come by stay valid.
+//
+// Thick bodies keep their distances by hulls where the environment stands (see turning_move.cpp). Where it moves, they keep them at
+// every time of a step, by thick_ways.h: from straight ways to straight ways, and as much more as their arcs are beside these.
 
 #include "together/turning_together.h"
 
@@ -21,6 +24,11 @@ namespace {
 
 constexpr int kMostStepTries = 400;
 constexpr double kStepFromTouch = 0x1p-6, kNoTouchAtAll = 2;
+
+template <int D>
+bool has_radius(const Array<Trajectory<D>>& all) noexcept {
+  return dsw::any_of(all.begin(), all.end(), [](const Trajectory<D>& each) { return each.motion.body->radius > 0; });
+}
 
 }  // namespace
 
@@ -81,7 +89,8 @@ FirstTouch TurningTogether<D>::find_first(Call& call, Met* met, bool* is_open) {
   const double* const reached = call.room == nullptr ? nullptr : call.room->look_to(call.limit);
   for (size_t i = 0; i < call.bodies.size(); ++i) {
     const RigidTrajectory<D>& a = call.bodies[i];
-    const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still, call.limit, reached);
+    const double beside = call.room == nullptr ? 0 : a.body->radius;
+    const FirstTouch touch = touches_.find_first(*a.body, a.way, a.still, call.limit, reached, beside);
     if (call.room != nullptr && !call.room->stay_valid(touches_.cells(), a.way.unit())) call.stay_valid = false;
     *is_open = *is_open || touches_.is_open_at_start();
     if (touch.touches && (!first.touches || touch.time < first.time)) {
@@ -159,12 +168,8 @@ bool TurningTogether<D>::go_to(Call& call, double fraction, bool records) {
       if (!is_finite<D>(to)) return false;  // a part of a motion can lead further than the whole
     }
   }
+  if (call.room != nullptr) return go_with_room(call, fraction, records);
   if (call.is_thick && !keeps_distances(call, fraction, records)) return false;
-  if (call.room != nullptr) {
-    const bool goes = call.room->go_to(call.trajectories, fraction, call.bodies_meet, call.settings, records);
-    if (goes) call.at = fraction;
-    return goes;
-  }
   steps_.move(call.trajectories, call.bodies_meet, call.settings);
   const bool arrives = dsw::all_of(call.trajectories.begin(), call.trajectories.end(),
                                    [](const Trajectory<D>& each) { return each.record->fraction == 1; });
@@ -174,6 +179,18 @@ bool TurningTogether<D>::go_to(Call& call, double fraction, bool records) {
     call.put(&RigidTrajectory<D>::here);
   }
   return arrives;
+}
+
+/** Goes to the targets of a step, which are known, while the environment moves. */
+template <int D>
+bool TurningTogether<D>::go_with_room(Call& call, double fraction, bool records) {
+  for (size_t i = 0; call.is_thick && i < call.bodies.size(); ++i) {
+    const RigidWay<D>& way = call.bodies[i].way;
+    call.trajectories[i].bend = {way.sagitta(fraction - call.at) * (1 + 0x1p-40), way.axis()};
+  }
+  const bool goes = call.room->go_to(call.trajectories, fraction, call.bodies_meet, call.settings, records);
+  if (goes) call.at = fraction;
+  return goes;
 }
 
 /** Goes as far as it can, or to an end just before `touch`. Returns whether it has come there. */
@@ -255,6 +272,17 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, Met& met) {
   }
 }
 
+/** The longest step. With an environment that moves, the way of a thick body bends by no more than a radius beside a chord. */
+template <int D>
+double TurningTogether<D>::most_step(const Call& call, bool is_open) const noexcept {
+  double step = call.turns && is_open ? kStepFromTouch : 1;
+  for (const RigidTrajectory<D>& each : call.bodies) {
+    const double radius = each.body->radius;
+    while (call.room != nullptr && radius > 0 && each.way.sagitta(step) > radius) step *= 0.5;
+  }
+  return step;
+}
+
 template <int D>
 double TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
                                 const TogetherSettings& settings, RoomSteps<D>* room) {
@@ -268,13 +296,14 @@ double TurningTogether<D>::move(Array<RigidTrajectory<D>>& bodies, Array<Traject
     call.turns = call.turns || each.way.turns();
     call.is_thick = call.is_thick || ThickSweep<D>::is_thick(each.still, *each.body);
   }
+  if (room != nullptr && has_radius(room->standing)) call.is_thick = true;
   Met met;
   bool is_open = false;
   const FirstTouch first = look(call, &met, &is_open);
   if (room != nullptr) room->join(trajectories);
   double touch = first.touches ? first.time : kNoTouchAtAll;
   // What stops them much earlier is something that touched at the start, or the next touch is not known.
-  if (!go(call, touch, call.turns && is_open ? kStepFromTouch : 1) && touch - call.at > 0x1p-20) touch = kNoTouchAtAll;
+  if (!go(call, touch, most_step(call, is_open)) && touch - call.at > 0x1p-20) touch = kNoTouchAtAll;
   if (call.at < call.limit) record_contacts(call, touch, met);
   for (size_t i = 0; i < bodies.size(); ++i) {
     MoveRecord& record = *trajectories[i].record;

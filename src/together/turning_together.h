@@ -33,8 +33,8 @@ class TurningTogether {
   /** Moves bodies that depend on nobody else that moves. What has become of them is in the records of `trajectories`, which are
    * those of `bodies`, with the steps' targets. Throws std::bad_alloc and WorkOver with some vertices moved.
    * @param bodies_meet whether bodies can touch at all.
-   * @param room an environment that moves with them, or null. Then no body is thick, and what stands in `room` is met, too: it
-   * follows the others in `trajectories` then.
+   * @param room an environment that moves with them, or null. What stands in `room` is met, too: it follows the others in
+   * `trajectories` then.
    * @return up to which part of the motion all have gone. */
   double move(Array<RigidTrajectory<D>>& bodies, Array<Trajectory<D>>& trajectories, bool bodies_meet,
               const TogetherSettings& settings, RoomSteps<D>* room = nullptr);
@@ -47,8 +47,10 @@ class TurningTogether {
   FirstTouch look(Call& call, Met* met, bool* is_open);
   FirstTouch find_first(Call& call, Met* met, bool* is_open);
   bool go_to(Call& call, double fraction, bool records = false);
+  bool go_with_room(Call& call, double fraction, bool records);
   bool keeps_distances(Call& call, double fraction, bool records);
   bool go(Call& call, double touch, double most_step);
+  double most_step(const Call& call, bool is_open) const noexcept;
   void record_contacts(Call& call, double touch, Met& met);
   void record_met(Call& call, Met& met);
 

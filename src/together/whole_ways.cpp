@@ -86,11 +86,21 @@ bool WholeWays<D, Walls>::find_touches(Array<Trajectory<D>>& trajectories) {
 }
 
 template <int D, class Walls>
-void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
-  double step = 0;
+void WholeWays<D, Walls>::describe(Array<Trajectory<D>>& trajectories) {
   if (touched_too_near()) {
     describe_too_near(env_, trajectories, thick.first);
     walls.describe(trajectories, thick.first);
+  } else {
+    describe_touches(env_, trajectories, first);
+    walls.describe(trajectories, first);
+  }
+}
+
+template <int D, class Walls>
+void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
+  double step = 0;
+  describe(trajectories);
+  if (touched_too_near()) {
     const double time = thick.first[0].time;
     for (const TooNearOnWay<D>& near : thick.first) {
       for_each_touching(trajectories, near, [&](const Trajectory<D>& of, uint32_t v) {
@@ -99,8 +109,6 @@ void WholeWays<D, Walls>::stop(Array<Trajectory<D>>& trajectories) {
     }
     return retreat(trajectories, time, step > 0 ? step : 0x1p-52);
   }
-  describe_touches(env_, trajectories, first);
-  walls.describe(trajectories, first);
   for (const WayTouch<D>& touch : first) step = std::max(step, step_back(touch));
   retreat(trajectories, first[0].first.time, step);
 }

@@ -27,7 +27,9 @@ class WholeWays {
   void start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift = nullptr);
   /** Lets all ways end at their goals, and finds what is touched first there. Whether anything is. */
   bool find_touches(Array<Trajectory<D>>& trajectories);
-  /** Keeps what is touched in the records, and lets all ways end just before it. */
+  /** Keeps what find_touches has found in the records, and in those of the walls. */
+  void describe(Array<Trajectory<D>>& trajectories);
+  /** Keeps it, and lets all ways end just before it. */
   void stop(Array<Trajectory<D>>& trajectories);
   /** Lets all ways end at a time of the ways to the goals. */
   void set_ends(Array<Trajectory<D>>& trajectories, double time);
@@ -45,6 +47,9 @@ class WholeWays {
   void finish(Array<Trajectory<D>>& trajectories);
   /** Up to which time of the ways to the goals all go. */
   double time() const noexcept { return time_; }
+  /** When what find_touches has found is touched, or comes too near, and by how much to step back from there at first. */
+  double touch_time() const noexcept { return first.empty() ? thick.first[0].time : first[0].first.time; }
+  double step_from_touch() const noexcept { return first.empty() ? step_back(thick.first[0]) : step_back(first[0]); }
 
   Walls walls;
   BodyWays<D> bodies;

@@ -120,5 +120,36 @@ TEST(TouchedPlanes, WhatPressesIntoAWallAlongItsNormalIsAllowedNothing) {
   EXPECT_FALSE(planes.allow(Inertia<3>(drawn.body), wanted, 0, &allowed));
 }
 
+/** Whoever wants to stay is pushed as far as the planes go, and more where it turns along planes that turn. */
+TEST(TouchedPlanes, PlanesThatComeNearerPush) {
+  for (uint64_t seed = 0; seed < 100; ++seed) {
+    Drawn<3> drawn(seed);
+    drawn.add_vertices(4);
+    const Inertia<3> inertia(drawn.body);
+    TouchedPlanes<3> planes;
+    const Vec up(0, 0, 1), push(drawn.number(-0.1, 0.1), 0, drawn.number(0.001, 0.1));
+    const uint32_t count = seed % 2 == 0 ? 4 : 1;
+    for (uint32_t v = 0; v < count; ++v) planes.add_moving(up, drawn.place(v), drawn.place(v), push, 0.01);
+    Twist allowed;
+    ASSERT_TRUE(planes.allow(inertia, Twist(), 0, &allowed));
+    for (uint32_t v = 0; v < count; ++v) {
+      const double rise = way(allowed, drawn.place(v) - inertia.middle).z();
+      EXPECT_GE(rise, push.z() * (1 - 1e-9)) << seed;
+      EXPECT_LE(rise, push.z() + 0.05) << seed;
+    }
+  }
+}
+
+TEST(TouchedPlanes, PlanesThatGoAwayDoNotPull) {
+  Drawn<3> drawn(3);
+  drawn.add_vertices(4);
+  TouchedPlanes<3> planes;
+  planes.add_moving(Vec(0, 0, 1), drawn.place(0), drawn.place(0), Vec(0, 0, -1), 0);
+  Twist wanted, allowed;
+  wanted.shift = Vec(0, 0, -0.5);
+  ASSERT_TRUE(planes.allow(Inertia<3>(drawn.body), wanted, 0, &allowed));
+  EXPECT_NEAR(length(wanted.shift - allowed.shift), 0, 1e-15);
+}
+
 }  // namespace
 }  // namespace dsw

@@ -362,7 +362,8 @@ class Scene:
         options: SceneDeformOptions | None = None,
     ) -> tuple[DeformReport, Records]:
         """Moves bodies as move_rigid while the environment goes to new positions of its vertices as in deform, all at once, up to the
-        first touch of anything; with Feature.DEFORMING. Returns the report of the environment and one for each body.
+        first touch of anything; with Feature.DEFORMING. With options(SceneDeformOptions, stop=TogetherStop.FEATURE,
+        response=TogetherResponse.SLIDE) walls push the bodies as a whole. Returns the report of the environment and one for each body.
 
         positions: an array that is lent, as Environment.deform describes.
         """
