@@ -3,8 +3,8 @@
 // writes that argument to a recording, reads it back, and prints it. calls.h says which function has which kinds.
 
 #include <memory>
-#include <tuple>
 
+#include "capi/pack.h"
 #include "capi/scene_handle.h"
 #include "capi/words.h"
 
@@ -27,18 +27,12 @@ T* keep(dsw_replay& replay, size_t count = 1) {
   return kept;
 }
 
-/** Calls use(each) for what is in a tuple. */
-template <class... All, class Use>
-void for_each(const std::tuple<All...>& all, const Use& use) {
-  std::apply([&](const All&... each) { (use(each), ...); }, all);
-}
-
 /** The argument at a position of the declaration. The handle is at 0. */
 template <size_t P>
 struct Argument {
   template <class Given>
   auto& operator()(Given& given) const {
-    return std::get<P>(given);
+    return get<P>(given);
   }
 };
 template <class T, class M>
@@ -92,12 +86,12 @@ template <size_t P, bool kSets>
 struct CountAt {
   template <class Given>
   size_t operator()(const Given& given, size_t) const {
-    return std::get<P>(given);
+    return get<P>(given);
   }
   template <class Given>
   void accept(Given& given, bool is_null, size_t count, size_t) const {
-    if constexpr (kSets) std::get<P>(given) = count;
-    WordReader::require(is_null || count == std::get<P>(given));
+    if constexpr (kSets) get<P>(given) = count;
+    WordReader::require(is_null || count == get<P>(given));
   }
 };
 /** The count of an array is a member of the struct, or a function of the struct and the dimension. */
@@ -171,28 +165,28 @@ template <class At, class... Arrays>
 struct Struct {
   const char* label;
   At at;
-  std::tuple<Arrays...> arrays;
+  Pack<Arrays...> arrays;
 
   template <class Given, class Use>
   void write(const Given& given, const CallPlace& place, const Use& use) const {
     using T = ElementAt<At, Given>;
     const T whole = read_optional(at(given), label);
     T bare = whole;
-    for_each(arrays, [&](const auto& each) { each.at(bare) = nullptr; });
+    arrays.for_each([&](const auto& each) { each.at(bare) = nullptr; });
     use_recorded(bare, use);
-    for_each(arrays, [&](const auto& each) { each.write(whole, place, use); });
+    arrays.for_each([&](const auto& each) { each.write(whole, place, use); });
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
     auto* const kept = keep<ElementAt<At, Given>>(*place.replay);
     at(given) = kept;
     *kept = from.get_struct<ElementAt<At, Given>>();
-    for_each(arrays, [&](const auto& each) { each.read(from, *kept, place); });
+    arrays.for_each([&](const auto& each) { each.read(from, *kept, place); });
   }
   template <class Given>
   void print(WordReader& from, Text& text) const {
     text.print_words(from.get_sized());
-    for_each(arrays, [&](const auto& each) {
+    arrays.for_each([&](const auto& each) {
       text.label(each.label);
       each.template print<ElementAt<At, Given>>(from, text);
     });
@@ -231,7 +225,7 @@ struct MovedPoints {
     visit(*place.scene->environment, [&](const auto& env) {
       constexpr size_t D = kDimension<decltype(env)>;
       for (uint64_t v = 0; v < env.map.vertex_count; ++v) {
-        const double* const to = std::get<1>(given) + D * v;
+        const double* const to = get<1>(given) + D * v;
         if (std::memcmp(to, env.point(static_cast<uint32_t>(v)), D * sizeof(double)) == 0) continue;
         use(&v, sizeof v);
         use(to, D * sizeof(double));
@@ -241,11 +235,11 @@ struct MovedPoints {
   }
   template <class Given>
   void read(WordReader& from, Given& given, const CallPlace& place) const {
-    auto& options = std::get<kOptions>(given);
+    auto& options = get<kOptions>(given);
     auto* const own = keep<std::decay_t<decltype(*options)>>(*place.replay);
     *own = *options;
     options = own;
-    std::get<1>(given) = read_moved_points(from, *place.replay, own->point_room, std::get<2>(given));
+    get<1>(given) = read_moved_points(from, *place.replay, own->point_room, get<2>(given));
   }
   template <class Given>
   void print(WordReader& from, Text& text) const {
@@ -274,7 +268,7 @@ constexpr ArrayOf<Argument<P>, CountAt<kCount, kSets>, Argument<kStride>> points
 }
 template <size_t P, class... Arrays>
 constexpr Struct<Argument<P>, Arrays...> structure(const char* label, Arrays... arrays) {
-  return {label, {}, {arrays...}};
+  return {label, {}, {{arrays}...}};
 }
 template <class T, class E, class Length>
 constexpr ArrayOf<Member<T, E*>, CountOf<Length>> array(const char* label, E* T::*member, Length length) {

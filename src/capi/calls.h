@@ -11,7 +11,8 @@ template <class Function>
 struct Prototype;
 template <class Handle, class... Rest>
 struct Prototype<dsw_status (*)(Handle*, Rest...)> {
-  using Given = std::tuple<Handle*, Rest...>;
+  using Given = Pack<Handle*, Rest...>;
+  using First = Handle;
 };
 
 /** A function, and kinds of arguments. */
@@ -22,16 +23,16 @@ struct Row {
   static constexpr uint32_t number = kNumber;
 
   const char* name;
-  std::tuple<Kinds...> kinds;
+  Pack<Kinds...> kinds;
 
   /** The arguments of a recorded call; what they point at is kept by the replay. */
   Given read(WordReader from, dsw_replay& replay) const {
     Given given{};
-    for_each(kinds, [&](const auto& each) { each.read(from, given, {nullptr, &replay, from.dimension()}); });
+    kinds.for_each([&](const auto& each) { each.read(from, given, {nullptr, &replay, from.dimension()}); });
     return given;
   }
   void describe(WordReader from, Text& text) const {
-    for_each(kinds, [&](const auto& each) {
+    kinds.for_each([&](const auto& each) {
       text.label(each.label);
       each.template print<Given>(from, text);
     });
@@ -42,7 +43,7 @@ struct RowName {
   const char* name;
   template <class... Kinds>
   constexpr Row<kNumber, kFunction, Kinds...> operator()(Kinds... kinds) const {
-    return {name, {kinds...}};
+    return {name, {{kinds}...}};
   }
 };
 
@@ -71,7 +72,7 @@ inline constexpr auto face_offsets = [](const dsw_body_desc& d, size_t) {
 // stride's.
 #define DSW_ROW(number, function) (RowName<number, function>{#function})
 // clang-format off
-inline constexpr auto kTable = std::make_tuple(
+inline constexpr auto kTable = pack(
     DSW_ROW(1, dsw_environment_mark_volumes)(array<1, 2>("volumes"), value<3>("mark"), value<4>("flags")),
     DSW_ROW(2, dsw_environment_mark_faces)(array<1, 2>("faces"), value<3>("mark")),
     DSW_ROW(3, dsw_environment_mark_edges)(array<1, 2>("edges"), value<3>("mark")),
@@ -161,27 +162,21 @@ inline constexpr auto kTable = std::make_tuple(
         result<4>()));
 // clang-format on
 #undef DSW_ROW
-constexpr size_t kCallCount = std::tuple_size_v<decltype(kTable)>;
+constexpr size_t kCallCount = decltype(kTable)::size;
 
-template <class... Rows>
-constexpr bool are_in_order(const std::tuple<Rows...>&) {
-  uint32_t before = 0;
-  return ((Rows::number == ++before) && ...);
+template <size_t... I, class... Rows>
+constexpr bool are_in_order(const Slots<std::index_sequence<I...>, Rows...>&) {
+  return ((Rows::number == I + 1) && ...);
 }
 static_assert(are_in_order(kTable));
 
-/** The row of a function. */
-template <auto kFunction, size_t kAt = 0>
-constexpr const auto& find_row() {
-  using Each = std::tuple_element_t<kAt, decltype(kTable)>;
-  if constexpr (std::is_same_v<typename Each::Function, std::integral_constant<decltype(kFunction), kFunction>>) {
-    return std::get<kAt>(kTable);
-  } else {
-    return find_row<kFunction, kAt + 1>();
-  }
+/** The row of a function, found by what the table is derived from. */
+template <auto kFunction, size_t I, uint32_t kNumber, class... Kinds>
+constexpr const Row<kNumber, kFunction, Kinds...>& find_row(const Slot<I, Row<kNumber, kFunction, Kinds...>>& slot) {
+  return slot.value;
 }
 template <auto kFunction>
-inline constexpr const auto& row_of = find_row<kFunction>();
+inline constexpr const auto& row_of = find_row<kFunction>(kTable);
 
 template <class Kind>
 constexpr bool moves_points = false;
@@ -191,26 +186,27 @@ constexpr bool moves_points<MovedPoints<kOptions>> = true;
 /** Whether a call changes the environment and not only what is in the scene. */
 template <uint32_t kNumber, auto kFunction, class... Kinds>
 constexpr bool changes_environment(const Row<kNumber, kFunction, Kinds...>&) {
-  using Given = typename Row<kNumber, kFunction, Kinds...>::Given;
-  return std::is_same_v<std::tuple_element_t<0, Given>, dsw_environment*> || (moves_points<Kinds> || ...);
+  return std::is_same_v<typename Prototype<decltype(kFunction)>::First, dsw_environment> ||
+         (moves_points<Kinds> || ...);
 }
 
 /** Whether a call relies on bodies that are free. Moves of bodies whose back edges are left do not. */
-template <uint32_t kNumber, auto kFunction, class... Kinds>
-constexpr bool needs_free_bodies(const Row<kNumber, kFunction, Kinds...>& row) {
+constexpr bool needs_free_bodies(uint32_t number) {
   constexpr uint32_t kFirstOfParticles = row_of<dsw_particle_create>.number,
                      kLastOfParticles = row_of<dsw_scene_reset_statistics>.number;
-  const auto is = [&](const auto& other) { return row.number == other.number; };
-  return !(row.number >= kFirstOfParticles && row.number <= kLastOfParticles) && !is(row_of<dsw_environment_set_tag>) &&
-         !is(row_of<dsw_body_destroy>) && !is(row_of<dsw_body_set_level>) && !is(row_of<dsw_body_move>) &&
-         !is(row_of<dsw_scene_move_bodies>);
+  constexpr uint32_t kOthers[] = {row_of<dsw_environment_set_tag>.number, row_of<dsw_body_destroy>.number,
+                                  row_of<dsw_body_set_level>.number, row_of<dsw_body_move>.number,
+                                  row_of<dsw_scene_move_bodies>.number};
+  for (const uint32_t other : kOthers) {
+    if (number == other) return false;
+  }
+  return number < kFirstOfParticles || number > kLastOfParticles;
 }
 
 /** Calls use(row) with the row that has a number. False: there is none. */
 template <class Use>
 bool visit_row(uint64_t number, const Use& use) {
-  return std::apply([&](const auto&... row) { return ((row.number == number ? (use(row), true) : false) || ...); },
-                    kTable);
+  return kTable.apply([&](const auto&... row) { return ((row.number == number ? (use(row), true) : false) || ...); });
 }
 
 }  // namespace dsw::capi

@@ -71,17 +71,20 @@ namespace dsw::capi {
 inline const Memory* memory_of(const dsw_context* context) { return context == nullptr ? nullptr : &context->memory; }
 inline const Memory* memory_of(const dsw_environment& environment) { return memory_of(environment.context); }
 
-/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve
- * space and plane. */
-template <class Handle, class Use>
-decltype(auto) visit(Handle& handle, const Use& use) {
-  return std::visit(use, handle.engine);
-}
-
 /** Whether an environment or a scene is of the plane. */
 template <class Handle>
 bool is_planar(const Handle& handle) {
   return handle.engine.index() != 0;
+}
+
+/** Calls use(engine) with the engine of an environment or a scene, whatever its dimension: for functions that serve
+ * space and plane. It takes less time to compile than std::visit. */
+template <class Handle, class Use>
+decltype(auto) visit(Handle& handle, const Use& use) {
+  if constexpr (kHasPlane) {
+    if (is_planar(handle)) return use(*std::get_if<1>(&handle.engine));
+  }
+  return use(*std::get_if<0>(&handle.engine));
 }
 
 /** The engine of an environment or a scene in space; refuses planar ones: for functions of space. */

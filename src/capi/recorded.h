@@ -78,7 +78,7 @@ class Recorded {
         with_environment_(changes_environment(row)) {
     if (host_ != nullptr) visit(*host_->environment, [](auto& env) { env.map.begin_call(); });
     if constexpr (kCanRecord) write(row, arguments...);
-    if (needs_free_bodies(row)) hide_edges();
+    if (needs_free_bodies(Row::number)) hide_edges();
   }
 
   /** It has done what it should; `results` are what it answered or changed, whatever is quick to read. */
@@ -107,24 +107,21 @@ class Recorded {
   void write(const Row& row, const Arguments&... arguments) noexcept {
     if (scene_ == nullptr || scene_->recording == nullptr) return;
     typename Row::Given given{};
-    fill<1>(given, arguments...);
-    write_call(
-        row.number, &row, &given, [](const void* of, const void* all, const CallPlace& place, const WordSink& use) {
-          for_each(static_cast<const Row*>(of)->kinds,
-                   [&](const auto& kind) { kind.write(*static_cast<const typename Row::Given*>(all), place, use); });
-        });
+    fill(std::index_sequence_for<Arguments...>(), given, arguments...);
+    write_call(row.number, &row, &given,
+               [](const void* of, const void* all, const CallPlace& place, const WordSink& use) {
+                 static_cast<const Row*>(of)->kinds.for_each(
+                     [&](const auto& kind) { kind.write(*static_cast<const typename Row::Given*>(all), place, use); });
+               });
   }
   /** Writes a call whose arguments `put` gives to a sink, first to learn how many words they are. */
   void write_call(uint64_t number, const void* row, const void* given,
                   void (*put)(const void* row, const void* given, const CallPlace& place,
                               const WordSink& use)) noexcept;
-  template <size_t kAt, class Given, class First, class... Rest>
-  static void fill(Given& given, const First& first, const Rest&... rest) noexcept {
-    std::get<kAt>(given) = first;
-    fill<kAt + 1>(given, rest...);
+  template <size_t... I, class Given, class... Arguments>
+  static void fill(std::index_sequence<I...>, [[maybe_unused]] Given& given, const Arguments&... arguments) noexcept {
+    ((get<I + 1>(given) = arguments), ...);
   }
-  template <size_t kAt, class Given>
-  static void fill(Given&) noexcept {}
 
   void finish(bool failed, uint64_t digest) noexcept;
 

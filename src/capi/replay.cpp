@@ -134,7 +134,7 @@ constexpr uint32_t kFirstComparable = 2000000, kFirstOfTodaysWays = 2001000;
 template <class Row, class Given>
 bool has_pushed(const dsw_replay& replay, const Row&, const Given& given) {
   if constexpr (std::is_same_v<Row, std::decay_t<decltype(capi::row_of<dsw_environment_deform>)>>) {
-    const dsw_deform_options* const options = std::get<3>(given);
+    const dsw_deform_options* const options = capi::get<3>(given);
     const bool may_push =
         options == nullptr || (options->method == DSW_DEFORM_SWEPT &&
                                (options->response == DSW_WALL_PUSH || options->response == DSW_WALL_INSERT));
@@ -258,13 +258,13 @@ bool read_next(dsw_replay& replay, std::optional<NextCall>& next) {
 template <class Row>
 static dsw_status make(dsw_replay& replay, const Row& row, const WordReader& arguments) {
   auto given = row.read(arguments, replay);
-  auto*& handle = std::get<0>(given);
+  auto*& handle = get<0>(given);
   if constexpr (std::is_same_v<decltype(handle), dsw_scene*&>) {
     handle = replay.scene;
   } else {
     handle = replay.environment;
   }
-  const dsw_status status = std::apply(Row::Function::value, given);
+  const dsw_status status = given.apply(Row::Function::value);
   if (replay.version < kFirstOfTodaysWays && status == DSW_STATUS_OK && has_pushed(replay, row, given)) {
     replay.goes_otherwise = true;
   }

@@ -50,7 +50,7 @@ class CallValidator {
   /** Before the call: where what it moves is. */
   void remember(dsw_replay& replay, const NextCall& next) {
     const auto with = [&](const auto& row, const auto& use) {
-      if (next.number == row.number) std::apply(use, row.read(next.arguments, replay));
+      if (next.number == row.number) row.read(next.arguments, replay).apply(use);
     };
     with(row_of<dsw_particle_move>, [&](auto*, auto particle, auto* target, auto* options, auto*) {
       remember_particle(particle, target, *options);
