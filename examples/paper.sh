@@ -3,12 +3,12 @@
 #
 # FIGURE is 8 (a catheter in a vascular network), 9 (cells tested against its length), 10 (the lattices of the benchmark), 11 (time
 # against the size of the scene, with Bullet and GIMPACT), 12 (what edges cost on a surface of 12,000 vertices, and what eliminations
-# save) or all. Installs what is missing (Debian 12, as root), builds, runs, and prints a table `ours | paper` with a sentence for
-# each figure; CSV, SVG and PNG in build/paper/.
-# MESH is the vessel of figures 8 and 9, in mm (.msh, .vtk, .vtu, also gzipped); without it
+# save), text (what the text states: figure 2, sections 4.2, 4.3, 4.4, 5.1 and 5.2) or all. Installs what is missing (Debian 12, as
+# root), builds, runs, and prints a table `ours | paper`, with a sentence for each figure; CSV, SVG and PNG in build/paper/.
+# MESH is the vessel of the text and of figures 8 and 9, in mm (.msh, .vtk, .vtu, also gzipped); without it
 # $DARTSWEEP_DATA/vessels/vascular_phantom.msh.gz if there is one, else a vessel that is made. Figure 12 takes
 # $DARTSWEEP_DATA/surfaces/hand_12k.obj if there is one, else a ring of 12,000 vertices. --quick: fewer steps and rounds of
-# figures 11 and 12. Exit code 2: a file or an option can't be used; 1: anything else.
+# the text and of figures 11 and 12. Exit code 2: a file or an option can't be used; 1: anything else.
 set -euo pipefail
 
 usage() {
@@ -18,13 +18,14 @@ usage() {
 name=paper
 . "$(dirname "$0")/setup.sh"
 
-figures=() quick=() mesh=
+figures=() quick=() mesh= text=
 for argument in "$@"; do
   case $argument in
     -h | --help) usage 0 ;;
     --quick) quick=(--quick) ;;
+    text) text=yes ;;
     8 | 9 | 10 | 11 | 12) figures+=("$argument") ;;
-    all) figures+=(8 9 10 11 12) ;;
+    all) figures+=(8 9 10 11 12) text=yes ;;
     -*) usage 2 >&2 ;;
     *)
       [ -z "$mesh" ] || usage 2 >&2
@@ -33,11 +34,12 @@ for argument in "$@"; do
       ;;
   esac
 done
-[ ${#figures[@]} -gt 0 ] || usage 2 >&2
+[ ${#figures[@]} -gt 0 ] || [ -n "$text" ] || usage 2 >&2
 wanted() { [[ " ${figures[*]} " == *" $1 "* ]]; }
 benchmark= catheter=
 if wanted 10 || wanted 11 || wanted 12; then benchmark=yes; fi
 if wanted 8 || wanted 9; then catheter=yes; fi
+vessel=$catheter$text
 phantom=${DARTSWEEP_DATA:-/nowhere}/vessels/vascular_phantom.msh.gz
 [ -n "$mesh" ] || [ ! -f "$phantom" ] || mesh=$(realpath "$phantom")
 
@@ -65,13 +67,14 @@ fi
 install_missing
 
 lists=("$source/requirements.txt")
-if [ -n "$mesh" ] && [ -n "$catheter" ]; then lists+=("$root/examples/demo/requirements.txt"); fi # readers of meshes
+if [ -n "$mesh" ] && [ -n "$vessel" ]; then lists+=("$root/examples/demo/requirements.txt"); fi # readers of meshes
 make_venv "$venv" python3 "${lists[@]}"
 
 echo "building the library and the programs"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 targets=()
 [ -z "$catheter" ] || targets+=(paper_catheter_length)
+[ -z "$text" ] || targets+=(paper_statements)
 [ -z "$benchmark" ] || targets+=(dartsweep_bench)
 quietly "configuring" cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON \
   -DDSW_BUILD_BENCH="$([ -n "$benchmark" ] && echo ON || echo OFF)"
@@ -79,16 +82,21 @@ quietly "building" cmake --build "$tree" --target "${targets[@]}"
 
 data=(--data "${DARTSWEEP_DATA:-/nowhere}")
 for figure in "${figures[@]}"; do rm -f "$out/figure$figure".*; done
+input=()
+if [ -n "$mesh" ] && [ -n "$vessel" ]; then
+  "$venv/bin/python" "$root/examples/demo/read_mesh.py" "$mesh" "$out/mesh.bin"
+  input=(--mesh "$out/mesh.bin")
+fi
+if [ -n "$text" ]; then
+  echo "measuring what the text states"
+  "$tree/examples/paper/paper_statements" "${input[@]}" "${quick[@]}" | tee "$out/text.txt"
+fi
 if [ -n "$catheter" ]; then
   echo "pushing the catheter of figures 8 and 9"
-  input=()
-  if [ -n "$mesh" ]; then
-    "$venv/bin/python" "$root/examples/demo/read_mesh.py" "$mesh" "$out/mesh.bin"
-    input=(--mesh "$out/mesh.bin")
-  fi
   "$tree/examples/paper/catheter_length" "${input[@]}" --csv "$out/catheter_length.csv" --picture "$out/picture.json"
-  rm -f "$out/mesh.bin"
 fi
+rm -f "$out/mesh.bin"
+[ ${#figures[@]} -gt 0 ] || exit 0
 bench=$tree/tests/benchmark/dartsweep_bench
 if wanted 10 || wanted 11; then
   echo "measuring figures 10 and 11"

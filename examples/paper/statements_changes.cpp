@@ -1,0 +1,193 @@
+// 4.4, 5.1 and 5.2 of [JCD10].
+#include <algorithm>
+#include <set>
+
+#include "statements.h"
+
+namespace paper {
+namespace {
+
+constexpr std::uint32_t kSide = 8;
+
+std::vector<dsw_particle_id> add_particles(dsw_scene* scene, std::size_t count, Random* random) {
+  std::vector<dsw_particle_id> ids(count);
+  for (dsw_particle_id& id : ids) {
+    const Point at = {random->between(0.1, kSide - 0.1), random->between(0.1, kSide - 0.1),
+                      random->between(0.1, kSide - 0.1)};
+    physics::check(dsw_particle_create(scene, at.data(), {0, 0}, &id), "adding a particle");
+  }
+  return ids;
+}
+
+dsw_statistics statistics_of(dsw_scene* scene) {
+  dsw_statistics statistics = {};
+  statistics.struct_size = sizeof statistics;
+  physics::check(dsw_scene_get_statistics(scene, &statistics), "reading counters");
+  physics::check(dsw_scene_reset_statistics(scene), "resetting counters");
+  return statistics;
+}
+
+}  // namespace
+
+// The library has no counter of the tests of END_STATE. Its casts, from the centres of the cells to what they held, are made again by
+// particles at the centres.
+void deformations(Statements* out) {
+  constexpr std::size_t kParticles = 1000;
+  for (const double by : {1e-9, 0.05}) {
+    Random random(3);
+    const Tetrahedra mesh(kSide, &random);
+    dsw_environment* const environment = mesh.environment.get();
+    const physics::Scene scene = make_scene(environment, DSW_FEATURE_DEFORMING | DSW_FEATURE_STATISTICS);
+    const std::vector<dsw_particle_id> particles = add_particles(scene.get(), kParticles, &random);
+    std::vector<dsw_volume_id> before(kParticles), after(kParticles);
+    std::vector<double> places(3 * kParticles), next = mesh.points;
+    const auto read = [&](std::vector<dsw_volume_id>* volumes) {
+      physics::check(dsw_scene_get_particle_positions(scene.get(), particles.data(), kParticles, places.data(), 0,
+                                                      volumes->data()),
+                     "reading particles");
+    };
+    read(&before);
+    for (double& x : next) {
+      x += x != 0 && x != kSide ? random.between(-by, by) : 0;
+    }
+    dsw_deform_options options;
+    dsw_deform_options_init(&options, sizeof options);
+    options.method = DSW_DEFORM_END_STATE;
+    physics::check(dsw_environment_deform(environment, next.data(), next.size() / 3, &options, nullptr), "bending");
+    read(&after);
+    std::vector<dsw_particle_id> centres(kParticles);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < kParticles; ++i) {
+      changed += before[i].index != after[i].index ? 1u : 0u;
+      Point centre;
+      physics::check(dsw_environment_get_centre(environment, before[i], centre.data()), "reading a centre");
+      physics::check(dsw_particle_create(scene.get(), centre.data(), before[i], &centres[i]), "adding a particle");
+    }
+    std::vector<dsw_flight> flights(kParticles);
+    statistics_of(scene.get());
+    physics::check(dsw_scene_cast_from_particles(scene.get(), centres.data(), kParticles, places.data(), 0, nullptr,
+                                                 flights.data()),
+                   "casting from the centres");
+    const double tests = static_cast<double>(statistics_of(scene.get()).orientation_tests) / kParticles;
+    const bool small = by < 1e-3;
+    const std::string name = small ? "a small motion" : "a larger motion";
+    out->push_back(
+        {"5.1", name + ": particles in another cell, of 1000", static_cast<double>(changed), "", small ? 0.0 : 1000.0});
+    out->push_back(
+        {"5.1", name + ": orientation tests of a cast from the centre", tests, small ? "4" : "", small ? 4.0 : 8.0});
+    const auto end = std::count_if(flights.begin(), flights.end(),
+                                   [](const dsw_flight& flight) { return flight.outcome != DSW_OUTCOME_REACHED; });
+    out->push_back({"5.1", name + ": casts that do not end where the particle is", static_cast<double>(end), "0", 0});
+  }
+}
+
+void local_changes(Statements* out) {
+  for (const std::size_t count : {100u, 10000u}) {
+    for (const bool live : {false, true}) {
+      Random random(5);
+      const Tetrahedra mesh(kSide, &random);
+      const physics::Scene scene =
+          make_scene(mesh.environment.get(), DSW_FEATURE_STATISTICS | (live ? 0u + DSW_FEATURE_LIVE_CHANGES : 0u));
+      add_particles(scene.get(), count, &random);
+      double looked_at = 0, changes = 0;
+      for (std::uint32_t i = 0; i < kSide * kSide * kSide; i += 9) {
+        const dsw_volume_id volume = {6 * i, 1};  // of another cube each time, merged with a neighbour
+        for (std::uint32_t local = 0; local < 4; ++local) {
+          dsw_face_id face;
+          if (dsw_environment_get_face_id(mesh.environment.get(), volume, local, &face) == DSW_STATUS_OK &&
+              dsw_environment_merge_volumes(mesh.environment.get(), face, nullptr) == DSW_STATUS_OK) {
+            looked_at += static_cast<double>(statistics_of(scene.get()).occupants_tested);
+            ++changes;
+            break;
+          }
+        }
+      }
+      out->push_back({"5.2",
+                      std::to_string(count) + " particles, " + (live ? "DSW_FEATURE_LIVE_CHANGES" : "by default") +
+                          ": looked at for a change",
+                      looked_at / changes, "only few", live ? 0.02 * static_cast<double>(count) : HUGE_VAL});
+    }
+  }
+}
+
+namespace {
+
+struct Box {
+  Point lower, upper;
+};
+
+bool meet(const Box& a, const Box& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Cells that a segment enters.
+std::vector<std::uint32_t> cells_of(const dsw_environment* environment, const Point& from, const Point& to) {
+  std::vector<dsw_crossing> crossings(256);
+  std::size_t count = 0;
+  physics::check(dsw_environment_cast_path(environment, {0, 0}, from.data(), to.data(), nullptr, crossings.data(),
+                                           crossings.size(), &count, nullptr),
+                 "walking along an edge");
+  std::vector<std::uint32_t> cells;
+  for (std::size_t i = 0; i < count; ++i) {
+    cells.push_back(crossings[i].volume.index);
+  }
+  return cells;
+}
+
+}  // namespace
+
+void registration(Statements* out) {
+  constexpr std::size_t kEdges = 1000;
+  for (const double length : {0.05, 0.25, 1.0, 2.0}) {
+    Random random(9);
+    const Tetrahedra mesh(4, &random);
+    std::vector<std::vector<std::uint32_t>> registered(mesh.cells.size() / 4);
+    std::vector<Box> boxes;
+    std::size_t entries = 0;
+    for (std::uint32_t e = 0; e < kEdges; ++e) {
+      Point from, to;
+      for (std::size_t k = 0; k < 3; ++k) {
+        from[k] = random.between(0.1, 3.9);
+        to[k] = std::clamp(from[k] + random.between(-length, length), 0.05, 3.95);
+      }
+      for (const std::uint32_t cell : cells_of(mesh.environment.get(), from, to)) {
+        registered[cell].push_back(e);
+        ++entries;
+      }
+      Box box;
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.lower[k] = std::min(from[k], to[k]);
+        box.upper[k] = std::max(from[k], to[k]);
+      }
+      boxes.push_back(box);
+    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> in_cells;
+    for (const std::vector<std::uint32_t>& cell : registered) {
+      for (std::size_t i = 0; i < cell.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+          in_cells.insert({cell[k], cell[i]});
+        }
+      }
+    }
+    std::size_t of_boxes = 0;
+    for (std::size_t i = 0; i < kEdges; ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        of_boxes += meet(boxes[i], boxes[k]) ? 1u : 0u;
+      }
+    }
+    char name[64];
+    std::snprintf(name, sizeof name, "edges up to %g of a cube: ", length);
+    out->push_back({"4.4", std::string(name) + "cells that hold an edge", static_cast<double>(entries) / kEdges, ""});
+    out->push_back({"4.4", std::string(name) + "pairs that share a cell, an edge",
+                    static_cast<double>(in_cells.size()) / kEdges, ""});
+    out->push_back({"4.4", std::string(name) + "pairs whose boxes meet (ours), an edge",
+                    static_cast<double>(of_boxes) / kEdges, ""});
+  }
+}
+
+}  // namespace paper
