@@ -15,7 +15,7 @@ SIZE(dsw_cut_face, 24);
 AT(dsw_cut_face, front, 0);
 AT(dsw_cut_face, back, 12);
 
-SIZE(dsw_carve_desc, 64);
+SIZE(dsw_carve_desc, 72);
 AT(dsw_carve_desc, struct_size, 0);
 AT(dsw_carve_desc, flags, 4);
 AT(dsw_carve_desc, points, 8);
@@ -25,7 +25,8 @@ AT(dsw_carve_desc, triangles, 32);
 AT(dsw_carve_desc, triangle_count, 40);
 AT(dsw_carve_desc, start, 48);
 AT(dsw_carve_desc, snap, 56);
-GROWS(dsw_carve_desc, snap);
+AT(dsw_carve_desc, finest, 64);
+GROWS(dsw_carve_desc, finest);
 
 SIZE(dsw_tie_desc, 48);
 AT(dsw_tie_desc, struct_size, 0);

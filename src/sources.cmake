@@ -290,6 +290,7 @@ list(APPEND dsw_sources
   cutting/fold.cpp
   cutting/inside.cpp
   cutting/opening.cpp
+  cutting/refine.cpp
   cutting/section.cpp
   cutting/start.cpp
 )

@@ -13,7 +13,10 @@ extern "C" {
 
 /** Flags of dsw_carve_desc. */
 typedef enum dsw_carve_flag {
-  DSW_CARVE_WHOLE = 1 /**< Splits no volume. */
+  DSW_CARVE_WHOLE = 1, /**< Splits no volume. */
+  /** Splits no volume along the surface, and also makes those passable that the surface crosses. So
+   * nothing impassable is left inside, but for invalid volumes. @since 2.1 */
+  DSW_CARVE_COVER = 2
 } dsw_carve_flag;
 
 /** A shape by its closed surface, `triangles` of `points`. A point is inside if its winding number
@@ -30,6 +33,10 @@ typedef struct dsw_carve_desc {
   /** Null: all volumes are searched; else from here through volumes inside or crossed. */
   dsw_volume_id start;
   double snap;
+  /** 0: volumes are split along the surface. Above 0: impassable volumes that the surface crosses are
+   * halved across their longest extent instead, and their halves again, until none that it crosses
+   * is longer than this, or was halved 24 times. Not in the plane. @since 2.1 */
+  double finest;
 } dsw_carve_desc;
 
 DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
@@ -37,8 +44,9 @@ DSW_API void dsw_carve_desc_init(dsw_carve_desc *desc, size_t size);
 /** Splits impassable volumes that the surface crosses, as dsw_environment_cut does, then makes
  * volumes with their centre inside passable.
  * @return DSW_STATUS_INDEX_OUT_OF_RANGE, BORROWED; BAD_TOPOLOGY: the surface is not closed, or a
- * triangle repeats a point.
- * @note Cost: O(volumes crossed or inside * log triangles); without `start` also O(n). */
+ * triangle repeats a point; UNSUPPORTED: `finest` in the plane.
+ * @note Cost: O(volumes crossed or inside, and that come of them, * log triangles); without `start`
+ * also O(n). */
 DSW_API dsw_status dsw_environment_carve(dsw_environment *environment, const dsw_carve_desc *desc,
                                          dsw_change *change);
 

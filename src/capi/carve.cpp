@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "scene/surgery.h"
 
 #include "capi/change.h"
@@ -10,6 +12,22 @@ namespace {
 void check_count(size_t count, size_t least, const char* name) {
   if (count < least) fail(DSW_STATUS_OUT_OF_RANGE, "desc->%s is %zu, must be at least %zu", name, count, least);
   if (count >= dsw::kVertexMask) fail(DSW_STATUS_TOO_LARGE, "desc->%s is %zu, must be below 2^28", name, count);
+}
+
+dsw::CutSettings read_settings(const dsw_carve_desc& d, int dimension) {
+  dsw::CutSettings settings;
+  settings.snap = capi::to_snap(d.snap);
+  if (!std::isfinite(d.finest)) fail(DSW_STATUS_NON_FINITE, "desc->finest is not finite");
+  if (d.finest < 0) fail(DSW_STATUS_OUT_OF_RANGE, "desc->finest is %g, must not be negative", d.finest);
+  if (d.finest > 0 && (d.flags & DSW_CARVE_WHOLE) != 0) {
+    fail(DSW_STATUS_OUT_OF_RANGE, "desc->finest is %g, must be 0 with DSW_CARVE_WHOLE", d.finest);
+  }
+  if (d.finest > 0 && dimension == 2)
+    fail(DSW_STATUS_UNSUPPORTED, "desc->finest is %g, must be 0 in the plane", d.finest);
+  settings.finest = d.finest;
+  settings.covers = (d.flags & DSW_CARVE_COVER) != 0;
+  settings.splits = d.flags != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
+  return settings;
 }
 
 /** Reads the shape as a blade of triangles, in the plane of segments. */
@@ -45,11 +63,10 @@ dsw::Blade<D> read_shape(const dsw::Memory* memory, const dsw_carve_desc& d) {
 
 dsw_status dsw_environment_carve(dsw_environment* environment, const dsw_carve_desc* desc, dsw_change* out) {
   return capi::guarded_change(__func__, environment, out, [&](auto& change) {
-    const dsw_carve_desc d = capi::read_required(desc, "desc", DSW_CARVE_WHOLE);
-    dsw::CutSettings settings;
-    settings.snap = capi::to_snap(d.snap);
-    settings.splits = (d.flags & DSW_CARVE_WHOLE) != 0 ? dsw::Splits::kNothing : dsw::Splits::kImpassable;
-    const auto shape = read_shape<capi::kDimension<decltype(change)>>(change.memory(), d);
+    constexpr int D = capi::kDimension<decltype(change)>;
+    const dsw_carve_desc d = capi::read_required(desc, "desc", DSW_CARVE_WHOLE | DSW_CARVE_COVER);
+    const dsw::CutSettings settings = read_settings(d, D);
+    const auto shape = read_shape<D>(change.memory(), d);
     const dsw::Cell start = capi::to_hint(change.map(), d.start, "desc->start");
     change.record(capi::row_of<dsw_environment_carve>, &d);
     carve_out(change, shape, start, settings);

@@ -85,7 +85,7 @@ DSW_FIELDS(dsw_open_crack_desc,
   DSW_SAME(tag));
 DSW_FIELDS(dsw_carve_desc,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_WIDE(points), DSW_WIDE(point_count), DSW_WIDE(point_stride_bytes),
-  DSW_WIDE(triangles), DSW_WIDE(triangle_count), DSW_SAME(start), DSW_SAME(snap));
+  DSW_WIDE(triangles), DSW_WIDE(triangle_count), DSW_SAME(start), DSW_SAME(snap), DSW_SAME(finest));
 DSW_FIELDS(dsw_tie_desc,
   DSW_SAME(struct_size), DSW_SAME(flags), DSW_WIDE(points), DSW_WIDE(point_count), DSW_WIDE(point_stride_bytes),
   DSW_SAME(start), DSW_SAME(snap));

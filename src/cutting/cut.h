@@ -18,6 +18,8 @@ struct CutSettings {
   bool unsew = false;
   Splits splits = Splits::kAll;
   bool closes = false;  // with unsew: nothing gets through what is not impassable yet; cells that stay whole are marked
+  double finest = 0;    // above 0: cells are not split along the blade, but halved until they are no longer than this
+  bool covers = false;  // carving: what the blade meets goes, too
 };
 
 /** A vertex that came, and the edge on which: at `share` of the way from a to b. */

@@ -20,8 +20,8 @@ bool seed_all(const Environment<D>& env, Crossings<D>& crossings, const BladeTre
 }  // namespace
 
 template <int D>
-Inside<D>::Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings)
-    : env_(env), map_(env.map), blade_(blade), crossings_(crossings), tree_(env.memory, blade) {}
+Inside<D>::Inside(const Environment<D>& env, const Blade<D>& blade, bool briefly, Crossings<D>& crossings)
+    : env_(env), map_(env.map), blade_(blade), briefly_(briefly), crossings_(crossings), tree_(env.memory, blade) {}
 
 template <int D>
 void Inside<D>::flood_from(Cell start, uint32_t* visited) {
@@ -41,7 +41,7 @@ bool Inside<D>::flood(Cell start) {
       look_beyond(known, map_.half_facet(known.cell, f));
     }
   }
-  crossings_.run();
+  if (!briefly_) crossings_.run();
   const uint32_t number = numbers_.find(start.unit);
   return number != KeyTable::kNone && (cells_[number].turns != 0 || cells_[number].crossed);
 }
@@ -49,19 +49,24 @@ bool Inside<D>::flood(Cell start) {
 template <int D>
 void Inside<D>::flood_all() {
   Array<uint32_t> near{env_.memory};  // indices of cells that overlap the box of all, and of some others
-  const auto add = [&](uint32_t index) {
-    near.push_back(index);
+  const typename BladeTree<D>::Box& box = tree_.box();
+  const auto note = [&](uint32_t index) {
+    const Cell c = map_.cell(index);
+    const bool counts = c.valid() && (!briefly_ || map_.marked(c));
+    if (counts && typename BladeTree<D>::Box(env_, c).overlaps(box)) near.push_back(index);
     return true;
   };
-  const typename BladeTree<D>::Box& box = tree_.box();
   if (!env_.index.ask(
-          env_, [&](const CellTree<D>& cells) { cells.visit_box(box.lower, box.upper, add); }, add)) {
-    for (uint32_t i = 0; i < map_.index_count(); ++i) add(i);
+          env_, [&](const CellTree<D>& cells) { cells.visit_box(box.lower, box.upper, note); }, note)) {
+    for (uint32_t i = 0; i < map_.index_count(); ++i) note(i);
   }
   dsw::sort(near.begin(), near.end());
   for (const uint32_t index : near) {
-    const Cell c = map_.cell(index);
-    if (c.valid() && typename BladeTree<D>::Box(env_, c).overlaps(box)) flood(c);
+    if (briefly_) {
+      add(map_.cell(index));
+    } else {
+      flood(map_.cell(index));
+    }
   }
 }
 
@@ -94,6 +99,14 @@ bool Inside<D>::seed(Cell c) {
   return seed_all(env_, crossings_, tree_, c);
 }
 
+/** Whether the surface meets a cell, which need not be linked yet. */
+template <int D>
+bool Inside<D>::is_met(Cell c) const {
+  bool any = false;
+  tree_.for_each_in({env_, c}, [&](uint32_t simplex) { any = any || crossings_.is_met(c, simplex); });
+  return any;
+}
+
 /** All of a cell can be seen from its centre, but the rounded one of a flat tetrahedron can lie beside it. */
 template <int D>
 bool Inside<D>::has_centre_in(Cell c, const double* at) const {
@@ -111,16 +124,18 @@ bool Inside<D>::holds(Cell c, const double* point) const {
 }
 
 template <int D>
-void Inside<D>::carve(Edit<D>& edit, Array<Cell>& carved) const {
+void Inside<D>::carve(Edit<D>& edit, bool covers, Array<Cell>& carved) const {
   for (size_t i = 0; i < edit.cell_count(); ++i) {
     double at[D];
     centre(env_, edit.cell(i), at);
-    if (!edit.draft(i).marked || !holds(edit.draft(i).from, at)) continue;
+    if (!edit.draft(i).marked) continue;
+    if (!holds(edit.draft(i).from, at) && !(covers && is_met(edit.cell(i)))) continue;
     edit.set_draft_mark(i, false);
     carved.push_back(edit.cell(i));
   }
   for (const Known& known : cells_) {
-    if (known.turns == 0 || !map_.marked(known.cell) || edit.is_removed(known.cell)) continue;
+    if (known.turns == 0 && !(covers && known.crossed)) continue;
+    if (!map_.marked(known.cell) || edit.is_removed(known.cell)) continue;
     edit.set_mark(known.cell, false);
     carved.push_back(known.cell);
   }

@@ -12,8 +12,9 @@ namespace dsw {
 template <int D>
 class Inside {
  public:
-  /** What the surface crosses is left in *crossings. Throws std::bad_alloc, as all here. */
-  Inside(const Environment<D>& env, const Blade<D>& blade, Crossings<D>& crossings);
+  /** What the surface crosses is left in *crossings, `briefly` without the crossings of edges, and without passable
+   * cells unless the flood has a start. Throws std::bad_alloc, as all here. */
+  Inside(const Environment<D>& env, const Blade<D>& blade, bool briefly, Crossings<D>& crossings);
 
   /** Floods through cells that are inside or crossed, from a cell that is; else from the first that is crossed, see
    * start.h. O(facets of cells that are, with a search in a tree of simplices for each cell beside one). */
@@ -29,9 +30,9 @@ class Inside {
   /** Whether a point that is thought to lie in a cell is inside. */
   bool holds(Cell c, const double* point) const;
 
-  /** What is inside becomes passable in an edit that is prepared; lists those cells that are not yet, as they will be.
-   * O(cells). */
-  void carve(Edit<D>& edit, Array<Cell>& carved) const;
+  /** What is inside becomes passable in an edit that is prepared, with `covers` also what the surface meets; lists those
+   * cells that are not yet, as they will be. O(cells). */
+  void carve(Edit<D>& edit, bool covers, Array<Cell>& carved) const;
 
  private:
   struct Known {
@@ -45,6 +46,7 @@ class Inside {
   void add(Cell c);
   void look_beyond(const Known& known, HalfFacet h);
   bool seed(Cell c);
+  bool is_met(Cell c) const;
   int crossings_of(uint32_t simplex, const double* from, const double* to) const;
   int crossings_in(Cell c, const double* from, const double* to) const;
   int turns_round(const double* point) const;
@@ -52,6 +54,7 @@ class Inside {
   const Environment<D>& env_;
   const Map<D>& map_;
   const Blade<D>& blade_;
+  bool briefly_;
   Crossings<D>& crossings_;
   BladeTree<D> tree_;
   KeyTable numbers_{env_.memory};  // of cells, by unit

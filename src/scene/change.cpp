@@ -48,8 +48,13 @@ bool Site<D>::change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile
   if (told.carved != nullptr) next.carved.reserve(told.carved->size());
   if (told.vertices != nullptr) {
     next.vertices.reserve(told.vertices->size());
+    KeyTable made(env.memory);
+    const auto id_of = [&](uint32_t vertex) {  // of one that comes: not known yet
+      return dsw_vertex_id{vertex, made.find(vertex) != KeyTable::kNone ? 0 : map.vertex_generation(vertex)};
+    };
     for (const NewVertex& v : *told.vertices) {  // what they come from may go
-      const dsw_vertex_id ends[2] = {{v.a, map.vertex_generation(v.a)}, {v.b, map.vertex_generation(v.b)}};
+      const dsw_vertex_id ends[2] = {id_of(v.a), id_of(v.b)};
+      made.insert(v.vertex);
       next.vertices.push_back({{v.vertex, 0}, {ends[0], ends[1]}, {1 - v.share, v.share}});
     }
   }
@@ -67,7 +72,11 @@ bool Site<D>::change(Edit<D>& edit, const Told& told, const Meanwhile* meanwhile
     const CutFace& f = (*told.faces)[i];
     next.faces.push_back({face_id(map, f.front), face_id(map, f.back)});
   }
-  for (dsw_vertex_origin& v : next.vertices) v.vertex.generation = map.vertex_generation(v.vertex.index);
+  for (dsw_vertex_origin& v : next.vertices) {
+    for (dsw_vertex_id* id : {&v.vertex, &v.from[0], &v.from[1]}) {
+      if (id->generation == 0) id->generation = map.vertex_generation(id->index);
+    }
+  }
   name_cells(map, told.whole, next.whole);
   name_cells(map, told.carved, next.carved);
   results = std::move(next);

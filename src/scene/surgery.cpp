@@ -2,6 +2,7 @@
 
 #include "base/vec.h"
 #include "contact/names.h"
+#include "cutting/refine.h"
 #include "cutting/start.h"
 #include "scene/deformation.h"
 #include "topology/operations.h"
@@ -55,19 +56,28 @@ void cut_along(const Site<D>& site, const Blade<D>& blade, Cell hint, const CutS
 template <int D>
 void carve_out(const Site<D>& site, const Blade<D>& shape, Cell start, const CutSettings& settings) {
   Crossings<D> crossings(site.env, shape);
-  Inside<D> inside(site.env, shape, crossings);
+  Inside<D> inside(site.env, shape, settings.covers || settings.finest > 0, crossings);
   uint32_t visited = 0;
   if (start.valid()) {
     inside.flood_from(start, &visited);
   } else {
     inside.flood_all();
   }
-  Cut<D> cut(site.env, shape, settings, crossings, &inside);
   std::optional<Edit<D>> edit;
-  cut.prepare(edit);
   Array<Cell> carved{Allocator<Cell>(site.env.memory)};
-  inside.carve(*edit, carved);
-  carry_out_cut(site, *edit, cut.record(), visited + inside.cell_count(), &carved, false);
+  const auto carve = [&](auto& changes) {
+    changes.prepare(edit);
+    inside.carve(*edit, settings.covers, carved);
+    carry_out_cut(site, *edit, changes.record(), visited + inside.cell_count(), &carved, false);
+  };
+  if constexpr (D == 3) {
+    if (settings.finest > 0) {
+      Refinement halves(site.env, shape, crossings, settings.finest);
+      return carve(halves);
+    }
+  }
+  Cut<D> cut(site.env, shape, settings, crossings, &inside);
+  carve(cut);
 }
 
 template <int D>

@@ -135,6 +135,82 @@ static void whole_volumes(void) {
   end();
 }
 
+/* A box inside of one cube: eight halves of halves, each of which is halved thrice towards a corner of the box. */
+static void halves(void) {
+  dsw_carve_desc d = box(2.3, 2.7);
+  dsw_edge_id edge;
+  dsw_change change;
+  size_t i, count = 0;
+  begin_block(NULL);
+  edge = edge_at(2 + 4 * (2 + 4 * 2), 0);
+  CHECK_OK(dsw_environment_mark_edges(g_env, &edge, 1, DSW_MARK_IMPASSABLE));
+  d.finest = 0.25;
+  d.flags = DSW_CARVE_COVER;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.volumes_crossed == 1 && g_carved.volumes_split == 1 && g_carved.whole_count == 0);
+  CHECK(g_carved.volumes_changed == 19 && g_carved.carved_count == 8);
+  CHECK(info_of(g_env).volume_count == 64 + 31 && marked_count() == 64 + 31 - 8);
+  CHECK_OK(dsw_environment_get_mark_count(g_env, DSW_CELL_EDGE, &count));
+  CHECK(count == 4);
+  change = change_of(g_env);
+  CHECK(change.volume_count == 32 + 18 && change.vertex_count > 0 && change.face_count == 0);
+  for (i = 0; i < change.vertex_count; ++i) {
+    const dsw_vertex_origin v = change.vertices[i];
+    double at[3], from[2][3];
+    unsigned k;
+    CHECK_OK(dsw_environment_get_vertex_position(g_env, v.vertex, at));
+    CHECK_OK(dsw_environment_get_vertex_position(g_env, v.from[0], from[0]));
+    CHECK_OK(dsw_environment_get_vertex_position(g_env, v.from[1], from[1]));
+    for (k = 0; k < 3; ++k) CHECK(at[k] == v.weights[0] * from[0][k] + v.weights[1] * from[1][k]);
+  }
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved)); /* nothing is left to do */
+  CHECK(g_carved.carved_count == 0 && g_carved.volumes_changed == 0 && g_carved.volumes_crossed == 0);
+  d.finest = 0;
+  d.flags = 0;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.carved_count == 0);
+  end();
+}
+
+/* What no surface goes round is not carved, and what it crosses only with DSW_CARVE_COVER. */
+static void covered_volumes(void) {
+  dsw_carve_desc d = box(2.3, 2.4);
+  begin_block(NULL);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.carved_count == 0);
+  d.flags = DSW_CARVE_COVER;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.carved_count == 1 && g_carved.volumes_changed == 0 && marked_count() == 63);
+  d = box(0.5, 2.5);
+  d.flags = DSW_CARVE_COVER | DSW_CARVE_WHOLE;
+  d.start = volume_at(0);
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.carved_count == 26 && g_carved.volumes_changed == 0 && marked_count() == 37);
+  end();
+}
+
+/* Of squares, too, what is crossed; they cannot be halved. */
+static void in_the_plane(void) {
+  static const double corners[6] = {0.2, 0.2, 1.5, 0.2, 0.2, 0.8};
+  static const uint32_t segments[6] = {0, 1, 1, 2, 2, 0};
+  dsw_carve_desc d;
+  g_env = make_squares(NULL, 4, 4);
+  mark_columns(0, 3);
+  dsw_carve_desc_init(&d, sizeof d);
+  d.points = corners;
+  d.point_count = 3;
+  d.triangles = segments;
+  d.triangle_count = 3;
+  d.finest = 0.5;
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, dsw_environment_carve(g_env, &d, NULL));
+  CHECK_MESSAGE("in the plane");
+  d.finest = 0;
+  d.flags = DSW_CARVE_COVER;
+  CHECK_OK(dsw_environment_carve(g_env, &d, &g_carved));
+  CHECK(g_carved.carved_count == 2 && g_carved.volumes_changed == 0 && marked_count() == 14);
+  end();
+}
+
 static void all_and_nothing(void) {
   dsw_carve_desc d = box(5, 7);
   begin_block(NULL);
@@ -181,7 +257,14 @@ static void bad_shapes(void) {
   CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, points, NULL, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_NULL_ARGUMENT, d, triangles, NULL, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_BAD_STRUCT_SIZE, d, struct_size, 8, dsw_environment_carve(g_env, &bad, NULL));
-  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 2, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_UNSUPPORTED, d, flags, 4, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NON_FINITE, d, finest, NAN, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_NON_FINITE, d, finest, HUGE_VAL, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, finest, -0.5, dsw_environment_carve(g_env, &bad, NULL));
+  CHECK_MESSAGE("desc->finest is -0.5");
+  bad = d, bad.flags = DSW_CARVE_WHOLE;
+  bad.finest = 0.5;
+  CHECK_FAILS(DSW_STATUS_OUT_OF_RANGE, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, point_count, 0, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_OUT_OF_RANGE, d, triangle_count, 0, dsw_environment_carve(g_env, &bad, NULL));
   CHECK_REFUSES(DSW_STATUS_TOO_LARGE, d, triangle_count, (size_t)1 << 28, dsw_environment_carve(g_env, &bad, NULL));
@@ -361,16 +444,66 @@ static void bodies_and_particles(void) {
   end();
 }
 
+/* A burr, an octahedron, goes through four cubes in steps, before each of which what is in its way is carved. */
+static void a_drill(void) {
+  static const double axes[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  static const uint32_t corners[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  static const uint32_t offsets[9] = {0, 3, 6, 9, 12, 15, 18, 21, 24};
+  double points[18];
+  dsw_body_desc b;
+  dsw_body_id body;
+  dsw_carve_desc d;
+  dsw_move_report report;
+  dsw_scene *scene;
+  unsigned step, i;
+  begin_block(NULL);
+  d = box(0.4, 1.9); /* the burr begins in a hole */
+  d.finest = 0.25;
+  CHECK_OK(dsw_environment_carve(g_env, &d, NULL));
+  for (i = 0; i < 18; ++i) points[i] = (i % 3 == 0 ? 1.1 : 1.2) + 0.5 * axes[i / 3][i % 3];
+  scene = make_scene(g_env, DSW_FEATURE_LIVE_CHANGES);
+  dsw_body_desc_init(&b, sizeof b);
+  b.positions = points;
+  b.vertex_count = 6;
+  b.face_offsets = offsets;
+  b.face_corners = corners;
+  b.face_count = 8;
+  b.face_corner_count = 24;
+  b.level = DSW_LEVEL_FACES;
+  CHECK_OK(dsw_body_create(scene, &b, &body));
+  dsw_carve_desc_init(&d, sizeof d);
+  d.points = points;
+  d.point_count = 6;
+  d.triangles = corners;
+  d.triangle_count = 8;
+  d.finest = 0.25;
+  d.flags = DSW_CARVE_COVER;
+  for (step = 0; step < 30; ++step) {
+    for (i = 0; i < 18; i += 3) points[i] += 0.075;
+    CHECK_OK(dsw_environment_carve(g_env, &d, NULL));
+    CHECK_OK(dsw_body_move(scene, body, points, 6, 0, NULL, &report));
+    CHECK(report.vertices_stopped == 0);
+  }
+  for (i = 1; i < 18; i += 3) points[i] += 0.6; /* without carving it is stopped */
+  CHECK_OK(dsw_body_move(scene, body, points, 6, 0, NULL, &report));
+  CHECK(report.vertices_stopped > 0);
+  CHECK_OK(dsw_scene_destroy(scene));
+  end();
+}
+
 static void running_out_of_memory(void) {
   host h;
   size_t n, refusals = 0;
-  int ties;
-  for (ties = 0; ties < 2; ++ties) {
+  int kind;
+  for (kind = 0; kind < 3; ++kind) {
     dsw_context *const context = make_context(&h);
-    const dsw_carve_desc c = box(1.25, 2.75);
     const dsw_tie_desc t = loop(1.25, 0.8);
+    dsw_carve_desc c;
+    dsw_carve_desc_init(&c, sizeof c);
+    if (kind != 0) c = box(0.75, 1.4); /* in the place of the loop */
+    c.finest = kind == 2 ? 0.5 : 0;
     begin_tube(context);
-#define CALL (ties ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved))
+#define CALL (kind == 0 ? dsw_environment_tie(g_env, &t, &g_tied) : dsw_environment_carve(g_env, &c, &g_carved))
     for (n = 0; RUNS_OUT(&h, n, CALL); n += 1 + n / 64, ++refusals) {
       CHECK(info_of(g_env).volume_count == 64 && marked_count() == 48);
     }
@@ -386,6 +519,10 @@ int main(void) {
   along_the_grid();
   through_cubes();
   whole_volumes();
+  halves();
+  covered_volumes();
+  in_the_plane();
+  a_drill();
   all_and_nothing();
   what_hangs_together();
   bad_shapes();

@@ -264,6 +264,7 @@ dsw_status Calls::cut(uint32_t which) {
       d.triangle_count = 4;
       d.start = start;
       d.snap = snap;
+      d.finest = flags > 1 ? 0.125 * (flags - 1) : 0;
       return dsw_environment_carve(environment_, &d, nullptr);
     }
     case 5: {

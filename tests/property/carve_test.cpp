@@ -1,12 +1,16 @@
 // Shapes carved out of environments of every kind: what is inside, in exact integers, and nothing else.
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
+#include "base/vec.h"
 #include "environment/validity.h"
 #include "map/integrity.h"
 #include "random_edits.h"
 #include "random_shapes.h"
+#include "walk/cast.h"
 
 namespace dsw::oracle {
 namespace {
@@ -30,6 +34,24 @@ class Turns {
     }
   }
 
+  /// Whether the surface meets a cell: an edge of one passes through a triangle of the other, or all of it is inside.
+  bool meets(const Environment<3>& env, dsw::Cell c) const {
+    const auto shape = env.map.shape(c);
+    for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+      const double* at[3];
+      Point of_cell[3];
+      simplex_points(env, c, shape, s, at);
+      for (size_t k = 0; k < 3; ++k) of_cell[k] = big(at[k]);
+      for (size_t t = 0; t < surface_.triangles.size(); t += 3) {
+        if (are_apart(at, &surface_.triangles[t])) continue;
+        const Point of_surface[3] = {shifted(surface_.triangles[t]), shifted(surface_.triangles[t + 1]),
+                                     shifted(surface_.triangles[t + 2])};
+        if (passes(of_cell, of_surface) || passes(of_surface, of_cell)) return true;
+      }
+    }
+    return contains(env, c, surface_.points.data());
+  }
+
  private:
   static constexpr int kShift = 300, kScale = 1000;
   using Point = std::array<Big, 3>;
@@ -43,6 +65,29 @@ class Turns {
     }
     return sgn(Big(w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
                    w[2] * (u[0] * v[1] - u[1] * v[0])));
+  }
+
+  /// Whether an edge of one triangle passes through another one.
+  static bool passes(const Point* edges, const Point* triangle) {
+    for (size_t k = 0; k < 3; ++k) {
+      const Point &p = edges[k], &q = edges[(k + 1) % 3];
+      if (side(triangle[0], triangle[1], triangle[2], p) * side(triangle[0], triangle[1], triangle[2], q) >= 0)
+        continue;
+      const int first = side(p, q, triangle[0], triangle[1]);
+      if (first != 0 && first == side(p, q, triangle[1], triangle[2]) && first == side(p, q, triangle[2], triangle[0]))
+        return true;
+    }
+    return false;
+  }
+  bool are_apart(const double* const* at, const uint32_t* corners) const {
+    for (size_t k = 0; k < 3; ++k) {
+      const double* const p = surface_.points.data() + k;
+      const double x[3] = {p[3 * corners[0]], p[3 * corners[1]], p[3 * corners[2]]};
+      const double slack = 1e-9 * reach_;
+      if (std::max({x[0], x[1], x[2]}) < std::min({at[0][k], at[1][k], at[2][k]}) - slack) return true;
+      if (std::min({x[0], x[1], x[2]}) > std::max({at[0][k], at[1][k], at[2][k]}) + slack) return true;
+    }
+    return false;
   }
 
   /// Nearly along an axis, so that most triangles are seen to be out of the way. False: something is in line.
@@ -122,9 +167,100 @@ class CarveTest : public SceneTest {
     return carved;
   }
 
+  /// The volume of all cells, and the area of the outer boundary.
+  std::array<double, 2> sizes() const {
+    std::array<double, 2> sum{};
+    for_each_cell(env().map, [&](dsw::Cell c) {
+      const auto shape = env().map.shape(c);
+      double at[3];
+      centre(env(), c, at);
+      for (uint32_t s = 0; s < shape.simplex_count(); ++s) {
+        const double* corners[3];
+        simplex_points(env(), c, shape, s, corners);
+        const dsw::Vec a = difference<3>(corners[0], at), b = difference<3>(corners[1], at),
+                       d = difference<3>(corners[2], at);
+        sum[0] += dot(a, b.cross(d)) / 6;
+        if (env().map.opposite(env().map.half_facet(c, shape.simplex_facets(3)[s])).valid()) continue;
+        sum[1] += length((b - a).cross(d - a)) / 2;
+      }
+    });
+    return sum;
+  }
+  double diameter(dsw::Cell c) const {
+    double most = 0;
+    for (uint32_t i = 0; i < env().map.vertices_of(c); ++i) {
+      for (uint32_t k = 0; k < i; ++k) {
+        most = std::max(
+            most, length(difference<3>(env().point(env().map.vertex(c, i)), env().point(env().map.vertex(c, k)))));
+      }
+    }
+    return most;
+  }
+
   Place place_;
 };
 DSW_FOR_ALL_SCENES(CarveTest);
+
+TEST_P(CarveTest, CellsAreHalvedUntilTheyAreShort) {
+  size_t carved_volumes = 0, covered = 0, split = 0, left = 0;
+  // Faces of the outer boundary that are warped can be cut into other triangles.
+  const double may_change = std::string(GetParam()).find("warped") == std::string::npos ? 1e-9 : 0.1;
+  for (uint64_t seed = 1; seed <= seeds_of(3); ++seed) {
+    place_ = make_place(GetParam(), seed);
+    if (place_.environment == nullptr) continue;
+    Rng rng(seed ^ 0xf17e57);
+    mark_most(rng);
+    for (int round = 0; round < 2; ++round) {
+      const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
+      dsw_carve_desc desc = defaults(dsw_carve_desc_init);
+      desc.points = surface.points.data();
+      desc.point_count = surface.points.size() / 3;
+      desc.triangles = surface.triangles.data();
+      desc.triangle_count = surface.triangles.size() / 3;
+      const bool covers = rng.chance(0.5), is_whole = covers && rng.chance(0.2);
+      desc.flags = covers ? uint32_t{DSW_CARVE_COVER} : 0;
+      desc.finest = is_whole ? 0 : place_.world->size * rng.range(0.06, 0.2);
+      const dsw::Cell any = env().map.cell(rng.below(env().map.index_count()));
+      if (any.valid() && rng.chance(0.3)) desc.start = volume_id(env().map, any);
+      const auto before = marks();
+      const auto sizes_before = sizes();
+      dsw_change report = empty_change();
+      ASSERT_EQ(dsw_environment_carve(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
+      ASSERT_EQ(check_integrity(env().map), nullptr);
+      for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(sizes()[k], sizes_before[k], may_change * sizes_before[k]) << seed;
+      const auto origin = origins();
+      const std::set<uint32_t> is_carved = carved(report.carved_count);
+      Turns turns(surface, rng);
+      for_each_cell(env().map, [&](dsw::Cell c) {
+        EXPECT_TRUE(check_cell(env(), c) == CellState::kValid || check_cell(env(), c) == CellState::kValidConvex);
+        double at[3];
+        centre(env(), c, at);
+        const uint32_t index = env().map.index(c);
+        const bool was_marked = before.at(origin.count(index) != 0 ? origin.at(index) : index);
+        const bool is_new = is_carved.count(index) != 0, is_met = turns.meets(env(), c);
+        EXPECT_EQ(env().map.marked(c), was_marked && !is_new);
+        EXPECT_LE(is_new, was_marked && (turns.round(at) != 0 || (covers && is_met))) << "seed " << seed;
+        left += was_marked && !is_new ? 1u : 0u;
+        covered += is_new && is_met ? 1u : 0u;
+        if (desc.start.generation != 0) return;
+        EXPECT_EQ(is_new, was_marked && (turns.round(at) != 0 || (covers && is_met)))
+            << "seed " << seed << ", round " << round << ", volume " << index;
+        if (!was_marked || !is_met || is_whole || report.whole_count != 0) return;
+        EXPECT_LE(diameter(c), 1.7321 * desc.finest) << "seed " << seed << ", round " << round << ", volume " << index;
+      });
+      carved_volumes += is_carved.size();
+      split += report.volumes_split;
+      if (HasFailure()) return;
+    }
+  }
+  RecordProperty("carved", static_cast<int>(carved_volumes));
+  if (kind_named(GetParam()).integer) {
+    EXPECT_GT(carved_volumes, 0u);
+    EXPECT_GT(covered, 0u);
+    EXPECT_GT(split, 0u);
+    EXPECT_GT(left, 0u);
+  }
+}
 
 TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
   size_t carved_volumes = 0, split = 0, kept = 0;

@@ -124,7 +124,7 @@ TEST_F(BladeTest, WhatClosedLinesHold) {
     all.insert(all.end(), centres.begin(), centres.end());  // so that they are integers, too
     const PathTruth truth(world_, all);
     Crossings<2> crossings(env(), blade);
-    Inside<2> shape(env(), blade, crossings);
+    Inside<2> shape(env(), blade, false, crossings);
     shape.flood_all();
     std::set<uint32_t> known;
     for (uint32_t i = 0; i < shape.cell_count(); ++i) {

@@ -77,7 +77,8 @@ dsw_status RandomEdits<3>::carve() {
   desc.point_count = surface.points.size() / 3;
   desc.triangles = surface.triangles.data();
   desc.triangle_count = surface.triangles.size() / 3;
-  desc.flags = rng_.chance(0.2) ? uint32_t{DSW_CARVE_WHOLE} : 0;
+  desc.flags = rng_.chance(0.2) ? uint32_t{DSW_CARVE_WHOLE} : rng_.chance(0.2) ? uint32_t{DSW_CARVE_COVER} : 0;
+  if ((desc.flags & DSW_CARVE_WHOLE) == 0 && rng_.chance(0.3)) desc.finest = place_.size() * rng_.range(0.1, 0.5);
   if (rng_.chance(0.5)) desc.start = volume_id(env().map, some_cell());
   may_change_ = true;
   return dsw_environment_carve(place_.get(), &desc, nullptr);

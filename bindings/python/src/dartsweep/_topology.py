@@ -110,9 +110,11 @@ class Topology:
         return self._core.open_crack(faces, desc)  # type: ignore[no-any-return]
 
     @changes_topology
-    def carve(self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0) -> Change:
+    def carve(
+        self, points: ArrayLike, triangles: ArrayLike, *, flags: int = 0, start: Any = None, snap: float = 0.0, finest: float = 0.0
+    ) -> Change:
         """Makes the inside of a closed surface passable; in the plane `triangles` are segments, (n, 2), of closed lines."""
-        desc = described(_core.CarveDesc, flags=int(flags), snap=snap)
+        desc = described(_core.CarveDesc, flags=int(flags), snap=snap, finest=finest)
         if start is not None:
             desc.start = start
         return self._core.carve(points, rows_of(triangles, self._core.dimension(), "triangles"), desc)  # type: ignore[no-any-return]
