@@ -258,6 +258,9 @@ double radius_of(const dsw_scene* scene, dsw_body_id body) {
 double check_radius(dsw_scene* scene, dsw_body_id body) {
   const double radius = radius_of(scene, body);
   if (radius == 0) return radius;
+  uint32_t penetrates = 0;
+  require(dsw_body_is_penetrating(scene, body, &penetrates) == DSW_STATUS_OK, "a body penetrates something, or not");
+  if (penetrates != 0) return radius;
   double gap = 0, thickest = 0;
   for (const dsw_body_id each : bodies_of(scene)) thickest = std::max(thickest, radius_of(scene, each));
   require(dsw_body_find_least_gap(scene, body, radius, &gap) == DSW_STATUS_OK, "a body has a gap");

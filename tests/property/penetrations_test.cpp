@@ -286,6 +286,17 @@ class Freeing {
   Counts& counts_;
 };
 
+/// Walls without thickness.
+void mark_thin_walls(Place& place, Rng& rng) {
+  World& world = *place.world;
+  for (Face& f : world.faces) {
+    if (!rng.chance(0.05)) continue;
+    f.marked = true;
+    const dsw_face_id id = face_id(world, static_cast<int>(&f - world.faces.data()));
+    EXPECT_EQ(dsw_environment_mark_faces(place.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  }
+}
+
 TEST_P(PenetrationsTest, WhatIsFreedIsFreeAndOthersAreTold) {
   Counts counts;
   for (uint64_t seed = 51; seed < 51 + seeds_of(4); ++seed) {
@@ -293,6 +304,7 @@ TEST_P(PenetrationsTest, WhatIsFreedIsFreeAndOthersAreTold) {
     ASSERT_PLACE(place);
     Rng rng(seed);
     if (place.world->outer_boundary_crosses()) continue;
+    if (seed % 2 == 0) mark_thin_walls(place, rng);
     Freeing freeing(place, rng, counts);
     for (int i = 0; i < 30; ++i) {
       freeing.run(GetParam() + " seed " + std::to_string(seed) + " body " + std::to_string(i) + " ");
@@ -307,6 +319,77 @@ TEST_P(PenetrationsTest, WhatIsFreedIsFreeAndOthersAreTold) {
   if (counts.shallow >= 10) {
     EXPECT_GE(10 * counts.shallow_freed, 7 * counts.shallow);
   }
+}
+
+/// How far two convex polyhedra have to go at least to be apart, along any direction: along a normal of a face, or of
+/// two edges.
+double depth_of(const BodyPlan& a, const BodyPlan& b) {
+  std::vector<Vec> normals;
+  const auto minus = [](const Vec& p, const Vec& q) { return Vec{p[0] - q[0], p[1] - q[1], p[2] - q[2]}; };
+  const auto cross = [](const Vec& p, const Vec& q) {
+    return Vec{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+  };
+  const auto edges_of = [&](const BodyPlan& plan) {
+    std::vector<Vec> edges;
+    for (const auto& f : plan.faces) {
+      for (size_t k = 0; k < 3; ++k) edges.push_back(minus(plan.at[f[(k + 1) % 3]], plan.at[f[k]]));
+      normals.push_back(cross(minus(plan.at[f[1]], plan.at[f[0]]), minus(plan.at[f[2]], plan.at[f[0]])));
+    }
+    return edges;
+  };
+  const std::vector<Vec> of_a = edges_of(a), of_b = edges_of(b);
+  for (const Vec& p : of_a) {
+    for (const Vec& q : of_b) normals.push_back(cross(p, q));
+  }
+  double least = HUGE_VAL;
+  for (const Vec& n : normals) {
+    const double length = std::hypot(n[0], n[1], n[2]);
+    if (!(length > 1e-12)) continue;
+    const auto reach = [&](const BodyPlan& plan, double sign) {
+      double most = -HUGE_VAL;
+      for (const Vec& p : plan.at) most = std::max(most, sign * (p[0] * n[0] + p[1] * n[1] + p[2] * n[2]) / length);
+      return most;
+    };
+    least = std::min({least, reach(a, 1) + reach(b, -1), reach(a, -1) + reach(b, 1)});
+  }
+  return least;
+}
+
+TEST(ConvexPairs, LeaveEachOtherByAtMostTwiceTheDepth) {
+  const Place place = place_of(hex_grid(axis(2, 8), axis(2, 8), axis(2, 8)));
+  ASSERT_PLACE(place);
+  Rng rng(7);
+  int begun = 0;
+  double largest = 0;
+  for (int i = 0; i < at_least(200); ++i) {
+    const ScenePtr scene = make_scene(place.get(), DSW_FEATURE_BODY_CONTACTS);
+    const auto make = [&](double spread) {
+      BodyPlan plan = tetrahedron({8, 8, 8}, rng.range(0.2, 2));
+      const Vec by = {rng.range(-spread, spread), rng.range(-spread, spread), rng.range(-spread, spread)};
+      for (Vec& p : plan.at) {
+        for (size_t k = 0; k < 3; ++k) p[k] += by[k] + 0.1 * rng.range(-1, 1);
+      }
+      return plan;
+    };
+    const BodyPlan fixed = make(0), moving = make(0.6);
+    dsw_body_id first{}, body{};
+    ASSERT_EQ(create_body(scene.get(), fixed, DSW_LEVEL_FACES, 0, {}, &first), DSW_STATUS_OK);
+    const uint32_t flags = DSW_BODY_START_PENETRATING | (i % 2 == 0 ? uint32_t{DSW_BODY_RIGID} : 0);
+    ASSERT_EQ(create_body(scene.get(), moving, DSW_LEVEL_FACES, flags, {}, &body), DSW_STATUS_OK);
+    uint32_t penetrates = 0, freed = 0;
+    double distance = 0;
+    ASSERT_EQ(dsw_body_is_penetrating(scene.get(), body, &penetrates), DSW_STATUS_OK);
+    if (penetrates == 0) continue;
+    ++begun;
+    ASSERT_EQ(dsw_body_depenetrate(scene.get(), body, {}, 0, &freed, &distance), DSW_STATUS_OK);
+    EXPECT_EQ(freed, 1u);
+    const double depth = depth_of(fixed, moving);
+    EXPECT_LE(distance, 2 * depth) << i;
+    largest = std::max(largest, distance / depth);
+  }
+  EXPECT_GT(begun, at_least(200) / 3);
+  RecordProperty("convex_largest_share", std::to_string(largest));
+  RecordProperty("convex_pairs", begun);
 }
 
 }  // namespace
