@@ -161,7 +161,7 @@ def test_wire_that_begins_in_the_wall() -> None:
         x = np.linspace(0.25, 3.75, 15)
         registered = np.stack([x, 0.5 + 0.52 * np.sin(x), 0 * x + 0.5], axis=1)
         wire = scene.create_body(registered, [(i, i + 1) for i in range(14)], flags=ds.BodyFlag.START_PENETRATING)
-        assert wire.is_penetrating and all(each["wall"]["generation"] > 0 for each in wire.penetrations())
+        assert wire.is_penetrating and any(each["wall"]["generation"] > 0 for each in wire.penetrations())
         moved = wire.depenetrate(max_distance=0.05)
         assert moved is not None and moved <= 0.05 and not wire.is_penetrating
         assert np.abs(wire.positions() - registered).max() <= moved + 1e-12
