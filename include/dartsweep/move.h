@@ -54,7 +54,7 @@ enum {
    * (dsw_environment_mark_exits) stop there, whatever the response. When all have moved they are
    * removed with their edges and faces, and so make way for the next ones. A thick vertex comes to an
    * exit when it is as near as the radius, also if walls are as near. Thick bodies with
-   * DSW_BODY_SELF_CONTACTS refuse the flag. @since 2.1 */
+   * DSW_BODY_SELF_CONTACTS refuse the flag, and all other calls do. @since 2.1 */
   DSW_MOVE_LEAVE = 0x4
 };
 
