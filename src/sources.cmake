@@ -136,6 +136,7 @@ list(APPEND dsw_sources
   corridor/ask.cpp
   corridor/hop.cpp
   corridor/moving_corridors.cpp
+  corridor/corridors.cpp
   corridor/ridge_rings.cpp
   corridor/corridor.cpp
   corridor/corridor_writer.cpp

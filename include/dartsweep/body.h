@@ -43,8 +43,8 @@ enum {
   /** Walls push the body by rigid motions, or wait [JCD10] 5.1. These and dsw_body_move_rigid add
    * up no rounding of the shape. Responses insert no vertices. */
   DSW_BODY_RIGID = 0x40,
-  /** Lossless. Edges keep no sequences, which they do from DSW_LEVEL_EDGES_SWEPT on: a surface takes
-   * a quarter of the memory or less, and moves are slower. @since 2.1 */
+  /** Lossless. Edges keep no sequences, which they do from DSW_LEVEL_EDGES_SWEPT on: 8 bytes for an
+   * edge, and several hundred once one that passes facets is noted. Moves are slower. @since 2.1 */
   DSW_BODY_NO_SEQUENCES = 0x80,
   /** Lossy, with DSW_BODY_SKIP_BACK_EDGES, which then works as in [JCD10] 6.2 and 6.3: an edge that
    * goes inwards is not tested until it goes outwards. Meanwhile it can meet something impassable:

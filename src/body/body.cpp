@@ -122,7 +122,7 @@ void shrink_to_fit(Body<D>& body) {
   body.edges.shrink_to_fit();  // faces may have found their edges
   body.untested.shrink_to_fit();
   if (!body.keeps_corridors()) return;
-  body.corridors.erase(body.corridors.begin() + static_cast<std::ptrdiff_t>(body.edges.size()), body.corridors.end());
+  body.corridors.resize(body.edges.size());
   body.corridors.shrink_to_fit();
 }
 
@@ -141,7 +141,7 @@ void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
 
 template <int D>
 void keep_corridors(Body<D>& body, size_t edges) {
-  if (body.corridors.size() < edges) body.corridors.resize(edges, Corridor<D>(body.edges.get_allocator()));
+  if (body.corridors.size() < edges) body.corridors.resize(edges);
 }
 
 template <int D>
@@ -154,7 +154,7 @@ void keep_forecasts(Body<D>& body) {
 
 template <int D>
 void restore_forecasts(Body<D>& body) noexcept {
-  for (Corridor<D>& each : body.corridors) each.go_back(body.call);
+  for (size_t e = 0; e < body.corridors.size(); ++e) body.corridors[e].go_back(body.call);
   body.touched.erase(body.touched.begin() + static_cast<std::ptrdiff_t>(body.kept_touched), body.touched.end());
   for (TouchedLines& each : body.touched) each.go_back(body.call);
   std::copy(body.kept_clearances.begin(), body.kept_clearances.end(), body.clearances.begin());

@@ -8,7 +8,7 @@
 #include "body/box_grid.h"
 #include "body/rigid_shape.h"
 #include "corridor/clearance.h"
-#include "corridor/corridor.h"
+#include "corridor/corridors.h"
 #include "corridor/touched_lines.h"
 
 namespace dsw {
@@ -89,7 +89,7 @@ struct Body {
   SlotPool vertex_slots, edge_slots, face_slots;
   Array<uint32_t> inserted;  // vertices that a response has inserted
   // By edge, if they are kept: the facets passed from ends[0] to ends[1], see corridor/corridor.h. A forecast.
-  mutable Array<Corridor<D>> corridors;
+  mutable Corridors<D> corridors;
   // By edge and end, once an edge has touched something: what it touched. A forecast.
   mutable Array<TouchedLines> touched;
   Array<Clearance<D>> clearances;  // by vertex, if they are kept
@@ -136,9 +136,7 @@ struct Body {
   const double* position(uint32_t v) const { return vertices[v].position; }
   bool is_untested(uint32_t e) const { return !untested.empty() && untested[e] == 1; }
   uint64_t memory_bytes() const {
-    uint64_t of_parts = array_bytes(corridors);
-    for (const Corridor<D>& each : corridors)
-      of_parts += array_bytes(each.facets) + array_bytes(each.kept) + each.rows.memory_bytes();
+    uint64_t of_parts = corridors.memory_bytes();
     for (const BodyBoxes<D>& each : boxes) of_parts += sizeof each + each.memory_bytes();
     for (const RigidShape<D>& each : shape) of_parts += sizeof each + each.memory_bytes();
     return of_parts + array_bytes(touched) + array_bytes(clearances) + array_bytes(kept_clearances) +

@@ -111,7 +111,7 @@ bool keeps_start(const Asked<D>& q) {
   const Cell start = first ? q.edge.way.from : q.edge.q_cell, end = first ? q.edge.q_cell : q.edge.way.from;
   if (follows(q.env, *q.kept.corridor, from, to, start, end)) return true;
   if (!q.scratch.writer.cast_segment(q.env, from, to, start, end, q.scratch.counters)) return false;
-  q.kept.corridor->keep(q.kept.call);
+  q.kept.keep(q.env);
   q.scratch.writer.finish(*q.kept.corridor);
   return q.kept.corridor->known() && follows(q.env, *q.kept.corridor, from, to, start, end);
 }
@@ -129,7 +129,7 @@ bool passes_on(const Asked<D>& q) {
 
 template <int D>
 void save(const Asked<D>& q) {
-  q.kept.corridor->keep(q.kept.call);
+  q.kept.keep(q.env);
   q.scratch.before = q.kept.corridor->facets;
 }
 
@@ -227,8 +227,8 @@ Verdict ask(const Environment<D>& env, const MovingPart& edge, const Question& w
   if (what.asks_cells && way.from == way.arrival && way.from == edge.q_cell) {
     const bool convex = env.map.convex(way.from);
     if (convex || is_seen(q)) {
-      if (kept.corridor != nullptr) {
-        kept.corridor->keep(kept.call);
+      if (kept.corridor != nullptr && !kept.of_edges->is_plain(kept.edge)) {
+        kept.keep(env);
         kept.corridor->clear();
       }
       return convex ? Verdict::kInside : Verdict::kSeen;

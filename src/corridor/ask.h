@@ -2,6 +2,7 @@
 // The question: is an edge free, one end of which moves? It is answered without a flood, or not at all.
 
 #include "corridor/clearance.h"
+#include "corridor/corridors.h"
 #include "corridor/first_ridge.h"
 #include "corridor/touched_lines.h"
 #include "walk/cast.h"
@@ -40,10 +41,18 @@ struct Question {
 /** What is kept of an edge, which may help. An answer brings the corridor up to date. */
 template <int D>
 struct KeptOfEdge {
-  Corridor<D>* corridor = nullptr;        // null: none is kept
-  uint64_t call = 0;                      // the number of the call on the body, to which the corridor can go back
-  const Clearance<D>* balls[2] = {};      // of the ends; null: they are not asked
-  const TouchedLines* touched = nullptr;  // lines that the edge has touched, of which walls may be known
+  Corridors<D>* of_edges = nullptr;
+  uint32_t edge = 0;
+  mutable Corridor<D>* corridor = nullptr;  // null: none is kept
+  uint64_t call = 0;                        // the number of the call on the body, to which the corridor can go back
+  const Clearance<D>* balls[2] = {};        // of the ends; null: they are not asked
+  const TouchedLines* touched = nullptr;    // lines that the edge has touched, of which walls may be known
+
+  /** Before the corridor is changed in a call on the body. Throws std::bad_alloc. */
+  void keep(const Environment<D>& env) const {
+    corridor = &of_edges->own(edge, env.obstacle_version);
+    corridor->keep(call);
+  }
 };
 
 /** Answers. The tests go from cheap to dear:

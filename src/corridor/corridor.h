@@ -267,6 +267,7 @@ class CorridorWriter {
     facets_.reserve(2 * passed_);
     return false;
   }
+  bool passed_none() const noexcept { return passed_ == 0; }
   /** What a cast passed, until the next one. */
   const Array<uint32_t>& passed() const noexcept { return facets_; }
   /** Copies the corridor of a cast that reached its target. Throws std::bad_alloc. */

@@ -56,7 +56,9 @@ void CourseCasts<D>::run_edges() {
   if (course_.motion.body->keeps_corridors()) {
     for (uint32_t i = 0; i < packet_.count(); ++i) {
       if (!packet_.reached(i)) continue;
-      Corridor<D>& corridor = course_.motion.body->corridors[edges_[i]];
+      Corridors<D>& corridors = course_.motion.body->corridors;
+      if (writers_[i].passed_none() && corridors.is_plain(edges_[i])) continue;
+      Corridor<D>& corridor = corridors.own(edges_[i], env_.obstacle_version);
       corridor.keep(course_.motion.body->call);
       writers_[i].finish(corridor);
     }

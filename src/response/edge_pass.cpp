@@ -155,8 +155,9 @@ void EdgePass<D>::sweep_chunk() {
     sweeps_.counts.swept += moves;
     sweeps_.counts.skipped += moves * (inside ? inside_counts : keeping_counts);
     if (inside && !body.corridors[e].facets.empty()) {
-      body.corridors[e].keep(body.call);
-      body.corridors[e].clear();
+      Corridor<D>& corridor = body.corridors.own(e, env_.obstacle_version);
+      corridor.keep(body.call);
+      corridor.clear();
     }
   }
 }

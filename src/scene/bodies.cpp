@@ -126,8 +126,8 @@ void follow_changes(const Scene<D>& scene, BodyRecord<D>& of) noexcept {
   if (!scene.features.live) return;
   const GoneFacets<D>& gone = scene.live.get()->gone;
   if (of.followed == gone.number()) return;
-  for (Corridor<D>& corridor : of.body.corridors) {
-    if (gone.are_in(corridor, of.followed)) corridor.forget();
+  for (size_t e = 0; e < of.body.corridors.size(); ++e) {
+    if (gone.are_in(of.body.corridors[e], of.followed)) of.body.corridors.forget(e);
   }
   of.followed = gone.number();
 }

@@ -86,7 +86,7 @@ class Followers {
       scene_.particles[each.place].forecast = each.forecast;
       note_particle(scene_, each.place);
     }
-    for (KeptCorridor& kept : corridors_) std::swap(scene_.bodies[kept.body].body.corridors[kept.edge], kept.corridor);
+    for (KeptCorridor& kept : corridors_) scene_.bodies[kept.body].body.corridors.swap_own(kept.edge, kept.corridor);
   }
 
   /** Corridors of what goes; to be done while it can still be asked. */
@@ -143,7 +143,7 @@ class Followers {
       return word != kNoFacet && (edit_.is_removed(env_.map.cell_of({word})) || edit_.is_relinked({word}));
     };
     for (uint32_t slot = 0; slot < scene_.bodies.size(); ++slot) {
-      Array<Corridor<D>>& corridors = scene_.bodies[slot].body.corridors;
+      Corridors<D>& corridors = scene_.bodies[slot].body.corridors;
       for (uint32_t e = 0; e < corridors.size(); ++e) {
         const Array<uint32_t>& facets = corridors[e].facets;
         if (dsw::any_of(facets.begin(), facets.end(), is_gone)) visit(slot, e, corridors[e]);

@@ -195,7 +195,7 @@ class PathWalk {
 template <int D>
 Body<D> without_forecasts(const Body<D>& body) {
   Body<D> copy(body);
-  for (Corridor<D>& corridor : copy.corridors) corridor.forget();
+  for (size_t e = 0; e < copy.corridors.size(); ++e) copy.corridors.forget(e);
   copy.touched.clear();
   std::fill(copy.untested.begin(), copy.untested.end(), uint8_t{0});  // all edges are looked at
   std::fill(copy.clearances.begin(), copy.clearances.end(), Clearance<D>{});

@@ -123,13 +123,11 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
   if (!fits) fail_corrupt("the number of sequences");
   keep_corridors(body, static_cast<size_t>(count));
   Array<uint32_t> facets{env_.memory};
-  for (Corridor<D>& sequence : body.corridors) {
+  for (size_t e = 0; e < body.corridors.size(); ++e) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
-    if (word == kUnknownSequence) {
-      sequence.facets.reserve(1);
-      sequence.forget();
-      continue;
-    }
+    if (word == kUnknownSequence) body.corridors.forget(e);
+    if (word == kUnknownSequence || word == 1) continue;  // one that is empty is in rows
+    Corridor<D>& sequence = body.corridors.own(e, env_.obstacle_version);
     facets.clear();
     for (const uint32_t* at = take(image_.sequences, sequence_, word / 2 * 2); facets.size() < word / 2; at += 2) {
       const Cell c = to_cell(map, at[0]);

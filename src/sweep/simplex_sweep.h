@@ -103,7 +103,11 @@ class SimplexSweep {
   KeptOfEdge<D> kept_of(const Body<D>& body, const MovingPart& edge) noexcept {
     scratch_.counters = counters;
     KeptOfEdge<D> kept;
-    if (body.keeps_corridors()) kept.corridor = &body.corridors[edge.part.index];
+    if (body.keeps_corridors()) {
+      kept.of_edges = &body.corridors;
+      kept.edge = edge.part.index;
+      kept.corridor = &body.corridors[kept.edge];
+    }
     kept.call = body.call;
     return kept;
   }

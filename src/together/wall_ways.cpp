@@ -256,8 +256,8 @@ template <class Visit>
 bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
   const Body<D>& body = *way.of.motion.body;
   const PointWay ends[2] = {way_of(way.of, way.corners.vertices[0]), way_of(way.of, way.corners.vertices[1])};
-  Corridor<D>& corridor =
-      body.keeps_corridors() ? body.corridors[way.part.index] : starts_.find(way.of, way.number, way.part.index);
+  Corridor<D>& corridor = body.keeps_corridors() ? body.corridors.own(way.part.index, env_.obstacle_version)
+                                                 : starts_.find(way.of, way.number, way.part.index);
   const bool are_ends = way.limit == 1;
   const Verdict verdict =
       corridors_.ask(corridor, body.call, ends, {way.points[1], way.points[3]}, are_ends, body.keeps_corridors());

@@ -41,7 +41,7 @@ class FacetRows {
   /** Makes room. Throws std::bad_alloc, and then nothing has changed. */
   void reserve(size_t count) {
     if (count <= room_) return;
-    const size_t room = count + count / 2 + 2;
+    const size_t room = count == 1 ? 1 : count + count / 2 + 2;
     Array<double> values(kRows * room, 0, values_.get_allocator());
     for (size_t r = 0; r < kRows; ++r) {
       std::copy_n(values_.data() + r * room_ + begin_, size_, values.data() + r * room);

@@ -87,7 +87,8 @@ std::string RandomEdits<D>::state() const {
   append(out, scene().particles);
   for (const BodyRecord<D>& record : scene().bodies) {
     append(out, record.body.vertices);
-    for (const Corridor<D>& sequence : record.body.corridors) append(out, sequence.facets);
+    const Corridors<D>& sequences = record.body.corridors;
+    for (size_t i = 0; i < sequences.size(); ++i) append(out, sequences[i].facets);
   }
   return out + saved();
 }

@@ -214,9 +214,9 @@ TEST_F(RemeshMemoryTest, DeformingWithIt) {
   // Once it has moved it knows the facets that its edges pass.
   const double targets[12] = {0.7, 1.5, 1.25, 1.8, 1.5, 1.25, 0.7, 2.6, 1.25, 0.7, 1.5, 2.35};
   ASSERT_EQ(dsw_body_move(scene(), body, targets, 4, 0, nullptr, nullptr), DSW_STATUS_OK);
-  const Array<Corridor<3>>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.corridors;
-  ASSERT_TRUE(std::any_of(sequences.begin(), sequences.end(),
-                          [](const Corridor<3>& s) { return s.known() && !s.facets.empty(); }));
+  const Corridors<3>& sequences = dsw::capi::space(*scene()).bodies[body.index].body.corridors;
+  const auto passes = [&](size_t e) { return sequences[e].known() && !sequences[e].facets.empty(); };
+  ASSERT_TRUE(passes(0) || passes(1) || passes(2) || passes(3) || passes(4) || passes(5));
   dsw_deform_options options = defaults(dsw_deform_options_init);
   options.invalid = DSW_INVALID_REMESH;
   std::vector<double> next = points_of(place_.get());

@@ -103,7 +103,7 @@ Verdict settled_by(const Environment<3>& env, const double* p, Cell start, const
   add_vertex(body, p, start);
   add_vertex(body, q, locate(env, q, Cell{}, nullptr).cell);
   add_edge(body, 0, 1);
-  body.corridors[0] = before;
+  body.corridors.own(0, env.obstacle_version) = before;
   SimplexSweep<3> star(env);
   PathFacets crossed;
   if (path.facets.size() <= 2) {

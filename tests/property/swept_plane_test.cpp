@@ -124,7 +124,7 @@ class Edge {
     add_edge(body_, 0, 1);
     keep_corridors(body_, 1);
     Cell end = start_;
-    free_ = pass(env, x.p.data(), x.q.data(), &end, body_.corridors[0]);
+    free_ = pass(env, x.p.data(), x.q.data(), &end, body_.corridors.own(0, env.obstacle_version));
     path_ = cast(env, x.p.data(), x.to.data(), start_);
     arrival_ = cast(env, x.to.data(), x.q.data(), path_.cell);
   }

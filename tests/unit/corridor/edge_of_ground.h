@@ -325,7 +325,7 @@ class EdgeOfGround {
     const bool is_at_facet = corridors_.keeps_to_facet(ends_);
     SCOPED_TRACE(testing::Message() << describe());
     // Asks again about an edge of which nothing is known.
-    other_.corridors[0].clear();
+    other_.corridors.own(0, env_->obstacle_version).clear();
     const bool anew = says_nothing(fresh_, other_);
     ASSERT_TRUE(kind_.mixed || known == anew) << "what was kept matters";
     ASSERT_TRUE(kind_.mixed || known || !rings);
@@ -349,7 +349,8 @@ class EdgeOfGround {
   }
   /** Whether an edge whose paths are free is known to touch nothing. */
   bool says_nothing(MovingCorridors<D>& corridors, Body<D>& body) {
-    answer_ = corridors.ask(body.corridors[0], body.call, ends_, {ends_[0].end, ends_[1].end}, true);
+    answer_ = corridors.ask(body.corridors.own(0, env_->obstacle_version), body.call, ends_,
+                            {ends_[0].end, ends_[1].end}, true);
     return answer_ == Verdict::kHolds && ends_[0].arrival.valid() && ends_[1].arrival.valid();
   }
   /** What the edge touches first is among what it may touch: on a lattice what the shifted edge touches first. */

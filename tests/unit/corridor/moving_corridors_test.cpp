@@ -45,7 +45,8 @@ TEST(MovingCorridors, KeepToBoxes) {
           ends[i] = {at[i], end[i], start, path.cell, path_facets(env->map, start, path)};
         }
         add_edge(body, 0, 1);
-        ASSERT_EQ(corridors.ask(body.corridors[0], body.call, ends, {end[0], end[1]}, true), Verdict::kHolds)
+        ASSERT_EQ(corridors.ask(body.corridors.own(0, env->obstacle_version), body.call, ends, {end[0], end[1]}, true),
+                  Verdict::kHolds)
             << first << back << to;
         const Corridor<3>& kept = body.corridors[0];
         EXPECT_EQ(kept.facets.size(), static_cast<size_t>(3 - cells[2]));
@@ -122,7 +123,8 @@ TEST(MovingCorridors, KnowNothingOfAPathThatEndsInACellThatIsNotConvex) {
                               {at[1], at[1], start, start, {}}};
     ASSERT_EQ(arrival.valid(), end < 1);
     ASSERT_EQ(ends[0].crossed.count, 1u);
-    EXPECT_EQ(corridors.ask(body.corridors[0], body.call, ends, {to, at[1]}, true), Verdict::kUnknown);
+    EXPECT_EQ(corridors.ask(body.corridors.own(0, env->obstacle_version), body.call, ends, {to, at[1]}, true),
+              Verdict::kUnknown);
   }
 }
 

@@ -59,7 +59,7 @@ class TurningEdgeTest : public testing::Test {
         ends[v] = {from, to, cell, path.end == CastEnd::kReached ? path.cell : Cell{},
                    path_facets(env_->map, cell, path)};
       }
-      Corridor<3>& corridor = body.corridors[0];
+      Corridor<3>& corridor = body.corridors.own(0, env_->obstacle_version);
       if (corridors.ask(corridor, ++body.call, ends, {ends[0].end, ends[1].end}, true) != Verdict::kHolds) return piece;
       for (uint32_t v = 0; v < 2; ++v) put_vertex(body, v, ends[v].end, ends[v].arrival);
       // What is kept is what a cast passes, or too many turns off, and noted anew when it is needed.
