@@ -208,6 +208,7 @@ int main(int argument_count, char **arguments) {
   call_surgery();
   call_records();
   call_lifetimes();
+  call_plane();
   say("end");
   if (expected != NULL) fclose(expected);
   return failures != 0;

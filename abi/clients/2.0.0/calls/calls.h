@@ -51,5 +51,6 @@ void call_topology(void);
 void call_surgery(void);
 void call_records(void);
 void call_lifetimes(void);
+void call_plane(void);
 
 #endif
