@@ -94,14 +94,30 @@ class BodiesAbout {
     });
   }
 
-  /** Whether the box of a segment may overlap that of a body. */
-  bool may_meet(const double* from, const double* to) const noexcept {
-    bool apart = false;
-    for (int k = 0; k < D; ++k) {
-      apart |= std::max(from[k], to[k]) < all_.lower[k];
-      apart |= all_.upper[k] < std::min(from[k], to[k]);
+  /** Lists those segments of a batch whose boxes overlap that of all bodies; returns how many. Most are far from it: nothing
+   * but this is asked of them, and what it needs stays in registers. */
+  size_t find_near(PointArray from, PointArray to, size_t begin, size_t end, size_t* near) const noexcept {
+    const Box<D> all = all_;
+    size_t count = 0;
+    for (size_t i = begin; i < end; ++i) {
+      const double *const p = from[i], *const q = to[i];
+      double gap = 0;  // the sign of a difference is exact
+      for (int k = 0; k < D; ++k) {
+        gap = std::max(gap, std::max(all.lower[k] - std::max(p[k], q[k]), std::min(p[k], q[k]) - all.upper[k]));
+      }
+      near[count] = i;
+      count += gap > 0 ? 0u : 1u;
     }
-    return !apart && may_be_held(from, to);
+    return count;
+  }
+  /** Whether the box of a segment may overlap that of one of the bodies, if it overlaps that of all. */
+  bool may_meet(const double* from, const double* to) const noexcept {
+    double lower[D], upper[D];
+    for (int k = 0; k < D; ++k) {
+      lower[k] = std::min(from[k], to[k]);
+      upper[k] = std::max(from[k], to[k]);
+    }
+    return map_.may_hold(lower, upper);
   }
   template <class Visit>
   void visit(const Box<D>& box, Visit visit) const {
@@ -120,15 +136,6 @@ class BodiesAbout {
   }
 
  private:
-  bool may_be_held(const double* from, const double* to) const noexcept {
-    double lower[D], upper[D];
-    for (int k = 0; k < D; ++k) {
-      lower[k] = std::min(from[k], to[k]);
-      upper[k] = std::max(from[k], to[k]);
-    }
-    return map_.may_hold(lower, upper);
-  }
-
   const Scene<D>& scene_;
   Box<D> all_;  // all bodies are in it
   BodyMap<D> map_;
@@ -172,12 +179,15 @@ class RayBatch {
         options_(options) {}
 
   const Starts<D>& starts() const noexcept { return starts_; }
-  bool may_meet(size_t i) const noexcept { return bodies_.may_meet(from_[i], to_[i]); }
+  size_t find_near(size_t begin, size_t end, size_t* near) const noexcept {
+    return bodies_.find_near(from_, to_, begin, end, near);
+  }
   /** @param flight what the environment has answered. */
   void ask(size_t i, dsw_flight* flight, dsw_contact_partner* partner) const noexcept {
     if (flight->outcome < DSW_OUTCOME_REACHED || flight->outcome > DSW_OUTCOME_WORK_LIMIT) return;
     const double* const from = from_[i];
     const double* const to = to_[i];
+    if (!bodies_.may_meet(from, to)) return;
     const double limit = flight->outcome == DSW_OUTCOME_REACHED ? kNever : flight->time;
     SegmentTouch<D> first;
     first.time = limit;
@@ -227,20 +237,19 @@ void cast_among_bodies(Scene<D>& scene, size_t count, const dsw_volume_id* start
   with_detail.detail = true;
   if (options.open_ends) cast_segments(scene.env, scene.parallel, count, starts, from, to, with_detail, flights);
   const RayBatch<D> batch(scene, starts, from, to, options);
+  constexpr size_t kAtHand = 4 * kPacket;
   const auto ask = [&](size_t begin, size_t end) noexcept {
     std::memset(partners + begin, 0, (end - begin) * sizeof *partners);
-    for (size_t i = begin; i < end; ++i) {
-      if (batch.may_meet(i)) batch.ask(i, flights + i, partners + i);
-      if (!options.detail) leave_out_detail(flights + i);
-    }
+    size_t near[kAtHand];
+    const size_t near_count = batch.find_near(begin, end, near);
+    for (size_t k = 0; k < near_count; ++k) batch.ask(near[k], flights + near[k], partners + near[k]);
+    for (size_t i = begin; i < end && !options.detail; ++i) leave_out_detail(flights + i);
   };
   // Threads are started once for both: that took longer than all questions about bodies that are far away.
-  constexpr size_t kAtHand = 4 * kPacket;
   auto body = [&](size_t begin, size_t end) noexcept {
-    if (options.open_ends) return ask(begin, end);
     for (size_t next; begin < end; begin = next) {
       next = std::min(begin + kAtHand, end);
-      cast_range(scene.env, batch.starts(), from, to, with_detail, begin, next, flights);
+      if (!options.open_ends) cast_range(scene.env, batch.starts(), from, to, with_detail, begin, next, flights);
       ask(begin, next);
     }
   };

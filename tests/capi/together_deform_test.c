@@ -318,6 +318,8 @@ static void bad_arguments(void) {
   o.point_room = 0;
   o.flags = 1;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
+  o.flags = DSW_MOVE_LEAVE; /* nothing leaves while the environment deforms */
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));
   o.flags = 0;
   o.stop = DSW_TOGETHER_STOP_ISLAND;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, DEFORM(g_scene, next, g_point_count, 1, targets, 2, 0, &o));

@@ -54,6 +54,8 @@ static void bad_arguments_are_refused(void) {
   }
   o.flags = 1;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good, &o, reports));
+  o.flags = DSW_MOVE_LEAVE; /* of one body alone */
+  CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good, &o, reports));
   o = together_options();
   o.stop = (dsw_together_stop)3;
   CHECK_FAILS(DSW_STATUS_UNSUPPORTED, move_one(scene, bodies[0], good, &o, reports));
