@@ -1,6 +1,9 @@
 #include "contact/names.h"
 
+#include <tuple>
+
 #include "corridor/fan.h"
+#include "map/cell_queue.h"
 
 namespace dsw {
 namespace {
@@ -35,31 +38,46 @@ Dart dart_between(const Map<D>& map, Cell c, const uint32_t* ends) noexcept {
   return {};
 }
 
-void name_lower_wall(const Environment<3>& env, dsw_contact& contact) noexcept {
-  const Map<3>& map = env.map;
-  if (contact.obstacle.kind != DSW_CELL_EDGE || contact.wall.generation == 0) return;
+template <int D>
+void name_lowest_wall(const Environment<D>& env, dsw_contact& contact) {
+  const Map<D>& map = env.map;
   const dsw_cell named = contact.obstacle;
-  const Dart edge = dart_of_edge(map, map.cell(named.index), named.local);
-  const uint32_t ends[2] = {dart_vertex(map, edge), dart_target(map, edge)};
-  const Dart begin = dart_between(map, map.cell(contact.front.index), ends);
-  if (!begin.cell.valid()) return;
-  const auto less = [](dsw_face_id a, dsw_face_id b) {
-    return a.volume != b.volume ? a.volume < b.volume : a.local < b.local;
-  };
-  for (Dart d : {begin, beta2(map, begin)}) {
-    const Dart first = d;
-    while (!is_impassable(env, half_facet(map, d))) {
-      d = beta2(map, beta3(map, d));
-      if (d == first) return;  // no wall of this edge
-    }
-    const HalfFacet wall = half_facet(map, d);
-    if (!less(face_id(map, canonical(map, wall)), contact.wall)) continue;
-    name_wall(env, wall, contact);
-    contact.kind = DSW_CONTACT_EDGE;
-    contact.obstacle = named;
+  if (contact.wall.generation == 0 || (named.kind != DSW_CELL_EDGE && named.kind != DSW_CELL_VERTEX)) return;
+  uint32_t corners[2] = {named.index, named.index};
+  if (named.kind == DSW_CELL_EDGE) {
+    const Dart edge = dart_of_edge(map, map.cell(named.index), named.local);
+    corners[0] = dart_vertex(map, edge);
+    corners[1] = dart_target(map, edge);
   }
+  const dsw_contact_kind kind = contact.kind;
+  CellQueue cells(env.memory);
+  cells.insert(map.cell(contact.front.index));
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const Cell c = cells[i];
+    const Shape shape = map.shape(c);
+    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+      bool has[2] = {};
+      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
+        for (int k = 0; k < 2; ++k) has[k] = has[k] || map.vertex(c, local) == corners[k];
+      });
+      if (!has[0] || !has[1]) continue;
+      const HalfFacet facet = map.half_facet(c, f);
+      if (!is_impassable(env, facet)) {
+        cells.insert(map.cell_of(map.opposite(facet)));
+        continue;
+      }
+      const dsw_face_id id = face_id(map, canonical(map, facet));
+      if (std::tie(id.volume, id.local) < std::tie(contact.wall.volume, contact.wall.local)) {
+        name_wall(env, facet, contact);
+      }
+    }
+  }
+  contact.kind = kind;
+  contact.obstacle = named;
 }
 
+template void name_lowest_wall(const Environment<2>& env, dsw_contact& contact);
+template void name_lowest_wall(const Environment<3>& env, dsw_contact& contact);
 template Dart dart_between(const Map<2>& map, Cell c, const uint32_t* ends) noexcept;
 template Dart dart_between(const Map<3>& map, Cell c, const uint32_t* ends) noexcept;
 template dsw_edge_id edge_id(const Map<2>& map, Dart d) noexcept;

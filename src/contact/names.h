@@ -81,10 +81,10 @@ inline void name_edge(const dsw_edge_id& edge, dsw_contact& contact) noexcept {
   contact.obstacle = {DSW_CELL_EDGE, edge.volume, edge.generation, edge.local};
 }
 
-/** Names that one of the two walls at a touched edge, with `front` between them, which has the lower canonical id: the contact of a
- * body that moves as a whole does not depend on which of its vertices goes first. Nothing is left to do in the plane. */
-inline void name_lower_wall(const Environment<2>&, dsw_contact&) noexcept {}
-void name_lower_wall(const Environment<3>& env, dsw_contact& contact) noexcept;
+/** Names, of all walls at a touched edge or vertex that are reached from `front` round it, the one with the lowest canonical id: the
+ * contact of a body that moves as a whole does not depend on which of its vertices goes first. Throws std::bad_alloc. */
+template <int D>
+void name_lowest_wall(const Environment<D>& env, dsw_contact& contact);
 
 template <int D>
 void name_vertex(const Map<D>& map, uint32_t vertex, dsw_contact& contact) noexcept {

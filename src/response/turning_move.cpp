@@ -129,7 +129,7 @@ void TurningMove<D>::record_contact(Steps& steps, const Partners<D>* partners, d
     record_touch(env_, steps.body, way_, touches_.touched(), partner == kNone ? nullptr : &partners->all[partner],
                  record);
   }
-  for (dsw_body_contact& contact : record.contacts) name_lower_wall(env_, contact.contact);
+  for (dsw_body_contact& contact : record.contacts) name_lowest_wall(env_, contact.contact);
   if (!record.contacts.empty()) record.contacts[0].time = touch <= 1 ? touch : at;
 }
 
