@@ -59,7 +59,6 @@ dsw_status Calls::make_bodies(uint32_t which) {
       d.edges = edges;
       const uint8_t choice = bytes_.byte();
       d.edge_count = choice % 4;
-      if (choice % 16 == 15) d.flags |= DSW_BODY_START_PENETRATING;
       d.radius = choice < 192 ? 0 : radius();
       d.face_offsets = offsets;
       d.face_corners = corners;
@@ -76,12 +75,6 @@ dsw_status Calls::make_bodies(uint32_t which) {
       const uint8_t choice = bytes_.byte();
       const dsw_body_id id = body();
       if (choice >= 192) return dsw_body_set_radius(scene_, id, radius());
-      if (choice >= 160) {
-        uint32_t freed;
-        double distance;
-        return dsw_body_depenetrate(scene_, id, choice % 2 == 0 ? volume() : dsw_volume_id{0, 0},
-                                    choice % 4 < 2 ? 0 : radius(), &freed, &distance);
-      }
       if (choice % 2 != 0) return dsw_body_destroy(scene_, id);
       const uint8_t category = bytes_.byte();
       return dsw_body_set_filter(scene_, id, category, bytes_.byte());

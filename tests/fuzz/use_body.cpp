@@ -271,6 +271,22 @@ void edit_body(Subject* s, Bytes* bytes) {
           "what fails changes nothing");
 }
 
+/** A body that is not free begins crossed; whether it can be freed. */
+bool free_body(dsw_scene* scene, dsw_body_desc desc, dsw_body_id* body) {
+  desc.flags |= DSW_BODY_START_PENETRATING;
+  require(dsw_body_create(scene, &desc, body) == DSW_STATUS_OK, "a body may penetrate something");
+  const dsw_penetration* found = nullptr;
+  size_t count = 0;
+  require(dsw_body_find_penetrations(scene, *body, &found, &count) == DSW_STATUS_OK && count != 0, "which it tells");
+  uint32_t freed = 0, penetrates = 2;
+  double distance = -1;
+  require(dsw_body_depenetrate(scene, *body, {0, 0}, 0, &freed, &distance) == DSW_STATUS_OK && distance >= 0,
+          "it goes");
+  require(dsw_body_is_penetrating(scene, *body, &penetrates) == DSW_STATUS_OK && penetrates == 1 - freed, "or not");
+  if (freed == 0) require(dsw_body_destroy(scene, *body) == DSW_STATUS_OK, "a body that penetrates goes");
+  return freed != 0;
+}
+
 bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* body) {
   const uint32_t vertex_count = 1 + bytes->below(kMostVertices), edge_count = bytes->below(7),
                  face_count = dimension == 3 ? bytes->below(7) : 0;
@@ -302,7 +318,9 @@ bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* 
   require(status != DSW_STATUS_INTERNAL, "no defect shows");
   require(dsw_scene_get_body_count(scene, &after) == DSW_STATUS_OK, "bodies are counted");
   require(after == before + (status == DSW_STATUS_OK ? 1 : 0), "a body that is refused is none");
-  return status == DSW_STATUS_OK;
+  const bool is_crossed =
+      status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE || status == DSW_STATUS_OCCUPIED;
+  return status == DSW_STATUS_OK || (is_crossed && free_body(scene, desc, body));
 }
 
 }  // namespace
