@@ -10,7 +10,7 @@
 namespace dsw {
 namespace {
 
-bool is_finite(const double* point, int dimension) noexcept {
+bool is_finite_point(const double* point, int dimension) noexcept {
   for (int k = 0; k < dimension; ++k) {
     if (!std::isfinite(point[k])) return false;
   }
@@ -63,7 +63,7 @@ size_t find_non_finite(PointArray points, size_t count, int dimension) noexcept 
   const bool dense = points.step == static_cast<size_t>(dimension);
   if (count == 0 || (dense && all_finite(points.data, count * points.step))) return count;
   for (size_t i = 0; i < count; ++i) {
-    if (!is_finite(points[i], dimension)) return i;
+    if (!is_finite_point(points[i], dimension)) return i;
   }
   return count;
 }

@@ -25,7 +25,7 @@ int write_to_file(void* user, const void* bytes, size_t size) {
   return std::fwrite(bytes, 1, size, static_cast<std::FILE*>(user)) == size ? 0 : 1;
 }
 
-int append(void* user, const void* bytes, size_t size) {
+int keep_in_memory(void* user, const void* bytes, size_t size) {
   auto& kept = *static_cast<dsw::Array<uint8_t>*>(user);
   const auto* const from = static_cast<const uint8_t*>(bytes);
   try {
@@ -82,7 +82,7 @@ namespace dsw::capi {
 Recording::Recording(const Memory* memory, const dsw_recording_desc& desc)
     : writer({write_to_host, this}), flags(desc.flags), write(desc.write), user(desc.user), kept(memory) {
   if ((flags & DSW_RECORDING_LATEST) != 0) {
-    write = append;
+    write = keep_in_memory;
     user = &kept;
   }
   if (desc.path == nullptr) return;

@@ -5,7 +5,7 @@
 namespace dsw {
 namespace {
 
-constexpr size_t kMost = size_t{1} << 14;  // facets that are noted before all bodies are brought up to date
+constexpr size_t kMostNoted = size_t{1} << 14;  // facets that are noted before all bodies are brought up to date
 
 template <int D>
 size_t facets_of(const Edit<D>& edit) noexcept {
@@ -18,7 +18,7 @@ size_t facets_of(const Edit<D>& edit) noexcept {
 
 template <int D>
 bool GoneFacets<D>::is_full() const noexcept {
-  return words_.size() > kMost;
+  return words_.size() > kMostNoted;
 }
 
 template <int D>
