@@ -15,13 +15,13 @@ namespace dsw {
  * target of such a long way says nothing about where it stops. */
 template <int D>
 double reach(const double* p, const double* q, double time) noexcept {
-  constexpr double kLong = 1024;
+  constexpr double kFar = 1024;
   const double start = largest_coordinate<D>(p), target = largest_coordinate<D>(q);
-  if (target > kLong * start) {
+  if (target > kFar * start) {
     double there[D];
     point_at<D>(p, q, time, there);
     const double passed = std::max(start, largest_coordinate<D>(there));
-    if (target > kLong * passed) return passed;
+    if (target > kFar * passed) return passed;
   }
   return std::max(start, target);
 }
