@@ -257,14 +257,13 @@ dsw_status Calls::cut(uint32_t which) {
       const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
       dsw_carve_desc d;
       dsw_carve_desc_init(&d, sizeof d);
-      d.flags = flags;
+      d.flags = flags == 2 ? 4 : flags;  // 4 is refused
       d.points = points;
       d.point_count = 4;
       d.triangles = triangles;
       d.triangle_count = 4;
       d.start = start;
       d.snap = snap;
-      d.finest = flags > 1 ? 0.125 * (flags - 1) : 0;
       return dsw_environment_carve(environment_, &d, nullptr);
     }
     case 5: {
