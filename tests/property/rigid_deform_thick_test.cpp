@@ -130,7 +130,7 @@ class ThickRigidDeformTest : public RigidMotionsTest {
 TEST_P(ThickRigidDeformTest, KeepsAllDistancesOnTheWay) {
   size_t moves = 0, stops = 0, whole = 0, thick = 0, broken = 0, broken_after = 0, occupied = 0, silent = 0, wide = 0;
   double widest = 0;
-  const int rounds = effort_of(15);
+  const int rounds = effort_of(6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
@@ -230,7 +230,7 @@ double bent_by(const BodyState& before, const BodyState& after) {
 TEST_P(ThickRigidDeformTest, BodiesThatGoOnStayFreeAndRigid) {
   size_t moves = 0, stops = 0, went_on = 0, arrived = 0, broken = 0, occupied = 0, bent = 0, faults = 0;
   double gained = 0;
-  const int rounds = effort_of(15);
+  const int rounds = effort_of(6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
