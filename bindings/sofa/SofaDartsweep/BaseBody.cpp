@@ -18,6 +18,7 @@ BaseBody::BaseBody()
       d_shape(initData(&d_shape, "shape", "points of a rigid tool in the frame of the first point of a Rigid3 state")),
       d_radius(initData(&d_radius, 0.0, "radius", "distance from walls that the body keeps for certain")),
       d_selfContacts(initData(&d_selfContacts, false, "selfContacts", "the body meets itself")),
+      d_slide(initData(&d_slide, true, "slide", "what meets a wall goes on along it; a rigid tool also turns")),
       d_passes(initData(&d_passes, 2u, "passes", "further attempts for vertices that stop")),
       d_stopped(
           initData(&d_stopped, 0u, "stopped", "OUTPUT: vertices that did not reach their state in the last step")),
@@ -125,8 +126,7 @@ bool BaseBody::move(double dt) {
   read_positions(sofa::core::vec_id::read_access::position, m_targets);
   auto options = defaults<dsw_move_options>(dsw_move_options_init);
   options.flags = DSW_MOVE_KEEP_WALLS;
-  options.vertex_response = DSW_RESPONSE_SLIDE;
-  options.edge_response = DSW_RESPONSE_SLIDE;
+  if (d_slide.getValue()) options.vertex_response = options.edge_response = DSW_RESPONSE_SLIDE;
   options.passes = d_passes.getValue();
   dsw_move_report report = {};
   bool good = m_targets.size() == m_positions.size();
@@ -144,11 +144,11 @@ bool BaseBody::move(double dt) {
   return true;
 }
 
-// The tool goes on its arc to the pose of its state, and slides as a whole. The state gets the pose that was taken.
+// The tool goes on its arc to the pose of its state, and may slide as a whole. The state gets the pose that was taken.
 bool BaseBody::move_rigid(double dt) {
   const dsw_rigid_motion motion = motion_to_state();
   auto options = defaults<dsw_move_options>(dsw_move_options_init);
-  options.flags = DSW_MOVE_SLIDE_WHOLE;
+  if (d_slide.getValue()) options.flags = DSW_MOVE_SLIDE_WHOLE;
   dsw_move_report report = {};
   dsw_rigid_motion left = {};
   bool good = succeeded(*this, "rigid move", dsw_body_move_rigid(m_scene, m_body, &motion, &options, &report)) &&

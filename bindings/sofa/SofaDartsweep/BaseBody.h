@@ -43,7 +43,7 @@ class BaseBody : public sofa::core::objectmodel::BaseComponent {
   sofa::Data<sofa::type::vector<Topology::Triangle>> d_triangles;
   sofa::Data<sofa::type::vector<Vec3>> d_shape;
   sofa::Data<double> d_radius;
-  sofa::Data<bool> d_selfContacts;
+  sofa::Data<bool> d_selfContacts, d_slide;
   sofa::Data<unsigned> d_passes;
   sofa::Data<unsigned> d_stopped, d_stops, d_notFree;
   sofa::Data<sofa::type::vector<Vec3>> d_position;

@@ -280,6 +280,11 @@ void DartsweepEnvironment::open(std::vector<sofa::Index>& cells, const sofa::typ
             dsw_environment_mark_volumes(m_environment, volumes.data(), volumes.size(), DSW_MARK_PASSABLE, 0, nullptr));
 }
 
+sofa::Index DartsweepEnvironment::tetrahedron_of(std::uint32_t volume) const {
+  const auto found = std::find(m_tetrahedra.begin(), m_tetrahedra.end(), volume);
+  return found == m_tetrahedra.end() ? sofa::InvalidID : static_cast<sofa::Index>(found - m_tetrahedra.begin());
+}
+
 // SOFA closes the gap in its list with the last point.
 void DartsweepEnvironment::forget_points(const sofa::type::vector<sofa::Index>& removed) {
   std::vector<std::size_t> vertex_of;

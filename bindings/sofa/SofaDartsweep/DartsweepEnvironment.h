@@ -54,6 +54,8 @@ class DartsweepEnvironment : public sofa::core::objectmodel::BaseComponent {
   unsigned version() const { return m_version; }
   /** The index in the state of a vertex of the library, or sofa::InvalidID if that point was removed. */
   sofa::Index point_of(std::uint32_t vertex) const { return m_point_of[vertex]; }
+  /** The tetrahedron of the container that is a volume of the library, or sofa::InvalidID if it was removed. */
+  sofa::Index tetrahedron_of(std::uint32_t volume) const;
   State* state() const { return l_state.get(); }
   dsw_context* context() const { return m_context; }
 

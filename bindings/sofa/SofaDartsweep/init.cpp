@@ -11,6 +11,7 @@ void register_environment(sofa::core::ObjectFactory* factory);
 void register_body(sofa::core::ObjectFactory* factory);
 void register_contacts(sofa::core::ObjectFactory* factory);
 void register_check(sofa::core::ObjectFactory* factory);
+void register_carver(sofa::core::ObjectFactory* factory);
 
 extern "C" {
 SOFA_EXPORT_DYNAMIC_LIBRARY void initExternalModule();
@@ -37,6 +38,7 @@ void registerObjects(sofa::core::ObjectFactory* factory) {
   register_body(factory);
   register_contacts(factory);
   register_check(factory);
+  register_carver(factory);
 }
 
 }  // namespace sofadartsweep

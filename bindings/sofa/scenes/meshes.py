@@ -120,6 +120,43 @@ def write_thread(path, count):
     path.write_text("\n".join(lines) + "\n")
 
 
+def write_ball(path, radius, sides):
+    """A closed triangle mesh near a ball: two poles and rings, turned outwards."""
+    points = [(0.0, 0.0, radius)]
+    for ring in range(1, sides // 2):
+        polar = 2 * math.pi * ring / sides
+        points += [(radius * math.sin(polar) * math.cos(2 * math.pi * k / sides), radius * math.sin(polar) * math.sin(2 * math.pi * k / sides),
+                    radius * math.cos(polar)) for k in range(sides)]
+    points.append((0.0, 0.0, -radius))
+    last = len(points) - 1
+    faces = []
+    for k in range(sides):
+        n = (k + 1) % sides
+        faces.append((0, 1 + k, 1 + n))
+        for ring in range(sides // 2 - 2):
+            a, b = 1 + ring * sides, 1 + (ring + 1) * sides
+            faces += [(a + k, b + k, b + n), (a + k, b + n, a + n)]
+        faces.append((last, last - sides + n, last - sides + k))
+    lines = ["v " + " ".join(repr(x) for x in point) for point in points]
+    lines += ["f " + " ".join(str(vertex + 1) for vertex in face) for face in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_block(path, cells, size):
+    """A block of cubes, each of six tetrahedra round its diagonal."""
+    points = [(size * x, size * y, size * z) for z in range(cells[2] + 1) for y in range(cells[1] + 1) for x in range(cells[0] + 1)]
+    step = (1, cells[0] + 1, (cells[0] + 1) * (cells[1] + 1))
+    tetrahedra = []
+    for z in range(cells[2]):
+        for y in range(cells[1]):
+            for x in range(cells[0]):
+                first = x * step[0] + y * step[1] + z * step[2]
+                for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)):
+                    way = (first, first + step[i], first + step[i] + step[j], first + sum(step))
+                    tetrahedra.append(way if (i, j, k) in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else (way[1], way[0]) + way[2:])
+    write_vtk(path, points, tetrahedra)
+
+
 def main(folder):
     folder.mkdir(parents=True, exist_ok=True)
     for name, layer, sides, rings in (("vessel", 4.0, 12, 1), ("vessel_fine", 1.5, 24, 2)):
@@ -128,6 +165,8 @@ def main(folder):
         write_vtk(folder / f"{name}.vtk", points, tetrahedra)
         write_obj(folder / f"{name}_wall.obj", points, wall)
     write_thread(folder / "thread.obj", 121)
+    write_ball(folder / "ball.obj", 1.5, 12)
+    write_block(folder / "block.vtk", (10, 10, 10), 2.0)
 
 
 if __name__ == "__main__":

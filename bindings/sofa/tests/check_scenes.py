@@ -100,7 +100,7 @@ def main(folder):
         for path in sorted(made.glob("*.vtk")):
             faults += [f"{path.name}: {fault}" for fault in faults_of_mesh(path)]
     print("\n".join(faults) or f"{seen} scenes are sound")
-    return 1 if faults or seen < 7 else 0
+    return 1 if faults or seen < 10 else 0
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 // Runs a scene without a window. Writes a line of JSON: messages, times of a step, and what components of Dartsweep found.
-// usage: sofa_run_scene SCENE STEPS [--plugin FILE]... [--set PATH=VALUE]... [--energy PATH]
+// usage: sofa_run_scene SCENE STEPS [--plugin FILE]... [--path FOLDER]... [--set DATA=VALUE]... [--watch DATA]...
+//                       [--forces SOLVER] [--seconds LIMIT]
+// --watch writes a Data after each step. --forces sums the normal forces of contacts, of three lines each, that a solver
+// with computeConstraintForces has found. --seconds ends the run early.
 #include <sofa/core/behavior/BaseMechanicalState.h>
 #include <sofa/core/objectmodel/BaseNode.h>
 #include <sofa/helper/AdvancedTimer.h>
@@ -15,9 +18,11 @@
 #include <sofa/simulation/graph/init.h>
 
 #include <algorithm>
-#include <cstring>
+#include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -59,6 +64,29 @@ struct Times {
   std::map<std::string, std::vector<double>> all;
 };
 
+// The sum of the normal forces of all contacts, from step to step.
+struct Forces {
+  void take(const sofa::core::objectmodel::BaseData& data) {
+    const auto& lines = static_cast<const sofa::Data<sofa::type::vector<SReal>>&>(data).getValue();
+    double total = 0;
+    for (std::size_t line = 0; line < lines.size(); line += 3) total += lines[line];
+    all.push_back(total);
+  }
+  void show() const {
+    double sum = 0, changes = 0, largest = 0;
+    for (std::size_t step = 0; step < all.size(); ++step) {
+      const double change = step > 0 ? std::abs(all[step] - all[step - 1]) : 0;
+      sum += all[step];
+      changes += change;
+      largest = std::max(largest, change);
+    }
+    const double count = static_cast<double>(std::max<std::size_t>(all.size(), 1));
+    std::cout << ", \"force mean\": " << sum / count << ", \"force change mean\": " << changes / count
+              << ", \"force change largest\": " << largest;
+  }
+  std::vector<double> all;
+};
+
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -68,10 +96,14 @@ bool is_ours(const sofa::core::objectmodel::BaseComponent& component) {
   return component.getClassName().rfind("Dartsweep", 0) == 0;
 }
 
-void show(sofa::simulation::Node& root, const Counter& counter, const Times& times, int steps) {
+void show(sofa::simulation::Node& root, const Counter& counter, const Times& times, const Forces& forces, int steps) {
   std::cout << "{\"errors\": " << counter.errors << ", \"warnings\": " << counter.warnings << ", \"steps\": " << steps;
-  for (const auto& [name, values] : times.all)
-    if (!values.empty()) std::cout << ", \"us " << name << "\": " << median(values);
+  for (const auto& [name, values] : times.all) {
+    if (values.empty()) continue;
+    std::cout << ", \"us " << name << "\": " << median(values) << ", \"mean us " << name
+              << "\": " << std::accumulate(values.begin(), values.end(), 0.0) / steps;
+  }
+  if (!forces.all.empty()) forces.show();
   for (auto* component : root.getTreeObjects<sofa::core::objectmodel::BaseComponent>()) {
     if (!is_ours(*component)) continue;
     for (const auto* data : component->getDataFields()) {
@@ -90,6 +122,46 @@ sofa::core::objectmodel::BaseData* find_data(sofa::simulation::Node& root, const
   return nullptr;
 }
 
+struct Options {
+  Options(int argc, char** argv) {
+    for (int i = 3; i + 1 < argc; i += 2) {
+      const std::string name = argv[i], value = argv[i + 1];
+      if (name == "--plugin") sofa::helper::system::PluginManager::getInstance().loadPluginByPath(value);
+      if (name == "--path") sofa::helper::system::PluginRepository.addFirstPath(value);
+      if (name == "--set") settings.emplace_back(value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
+      if (name == "--watch") watched.push_back(value);
+      if (name == "--forces") forces = value + ".constraintForces";
+      if (name == "--seconds") seconds = std::stod(value);
+    }
+  }
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::vector<std::string> watched;
+  std::string forces;
+  double seconds = 1e9;
+};
+
+// Makes the steps, at most so many and for about so long. Returns their number.
+int run(sofa::simulation::Node& root, const Options& options, int steps, Times& times, Forces& forces) {
+  AdvancedTimer::setEnabled("Animate", true);
+  AdvancedTimer::setInterval("Animate", 1);
+  AdvancedTimer::setOutputType("Animate", "gui");
+  const auto begin = std::chrono::steady_clock::now();
+  for (int step = 0; step < steps; ++step) {
+    AdvancedTimer::begin("Animate");
+    sofa::simulation::node::animate(&root);
+    times.take();
+    AdvancedTimer::end("Animate");
+    if (!options.forces.empty())
+      if (const auto* data = find_data(root, options.forces)) forces.take(*data);
+    for (const std::string& path : options.watched)
+      if (const auto* data = find_data(root, path))
+        std::cerr << "watch " << step << " " << path << " " << data->getValueString() << "\n";
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > options.seconds)
+      return step + 1;
+  }
+  return steps;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -98,42 +170,18 @@ int main(int argc, char** argv) {
   Counter counter;
   sofa::helper::logging::MessageDispatcher::clearHandlers();
   sofa::helper::logging::MessageDispatcher::addHandler(&counter);
-  std::vector<std::string> watched;
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (int i = 3; i + 1 < argc; i += 2) {
-    const std::string value = argv[i + 1];
-    if (!std::strcmp(argv[i], "--plugin")) {
-      sofa::helper::system::PluginManager::getInstance().loadPluginByPath(value);
-    } else if (!std::strcmp(argv[i], "--path")) {
-      sofa::helper::system::PluginRepository.addFirstPath(value);
-    } else if (!std::strcmp(argv[i], "--set")) {
-      settings.emplace_back(value.substr(0, value.find('=')), value.substr(value.find('=') + 1));
-    } else if (!std::strcmp(argv[i], "--watch")) {
-      watched.push_back(value);
-    }
-  }
+  const Options options(argc, argv);
   const sofa::simulation::Node::SPtr root = sofa::simulation::node::load(argv[1]);
   if (!root) return 1;
-  for (const auto& [path, value] : settings) {
+  for (const auto& [path, value] : options.settings) {
     auto* data = find_data(*root, path);
     if (!data || !data->read(value)) std::cerr << "error: no " << path << "\n", ++counter.errors;
   }
   sofa::simulation::node::initRoot(root.get());
-  AdvancedTimer::setEnabled("Animate", true);
-  AdvancedTimer::setInterval("Animate", 1);
-  AdvancedTimer::setOutputType("Animate", "gui");
   Times times;
-  const int steps = std::stoi(argv[2]);
-  for (int step = 0; step < steps; ++step) {
-    AdvancedTimer::begin("Animate");
-    sofa::simulation::node::animate(root.get());
-    times.take();
-    AdvancedTimer::end("Animate");
-    for (const std::string& path : watched)
-      if (const auto* data = find_data(*root, path))
-        std::cerr << "watch " << step << " " << path << " " << data->getValueString() << "\n";
-  }
-  show(*root, counter, times, steps);
+  Forces forces;
+  const int steps = run(*root, options, std::stoi(argv[2]), times, forces);
+  show(*root, counter, times, forces, steps);
   sofa::simulation::node::unload(root);
   const bool failed = counter.errors > 0;
   sofa::helper::logging::MessageDispatcher::clearHandlers();

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 DT = 0.01
-OURS = {"catheter": 400, "thread_post": 300, "beating": 300, "rest": 400, "stop": 60}
+OURS = {"catheter": 400, "catheter_fine": 100, "thread_post": 300, "beating": 300, "rest": 400, "stop": 60, "carve": 600}
 THEIRS = {"catheter_min_distance": 100, "catheter_tight_inclusion": 100}
 
 
@@ -65,6 +65,10 @@ def check(name, numbers, watched, steps):
         must(numbers["check.steps"] == steps, f"{name}: {numbers['check.steps']} of {steps} steps were checked")
         must(numbers["check.notFree"] == 0, f"{name}: not free after {numbers['check.notFree']} steps")
     must(numbers["body.notFree"] == 0, f"{name}: {numbers['body.notFree']} moves failed")
+    if name == "carve":
+        must(numbers["carver.carved"] > 50, f"carve: only {numbers['carver.carved']} tetrahedra are carved")
+        must(numbers["environment.removed"] == numbers["carver.carved"], "carve: the environment does not follow the topology")
+        must(numbers["body.stopped"] == 0, "carve: the ball does not arrive")
     if name == "stop":
         must(numbers["body.stops"] > 20, f"{name}: nothing stops")
     if name in ("stop", "rest"):
