@@ -60,7 +60,7 @@ Corridor<D>* Corridors<D>::copy_of(const Corridor<D>& corridor) const {
   }
 }
 
-/** Those from edge `from` on become empty. */
+/** Lets the corridors from edge `from` on be empty. */
 template <int D>
 void Corridors<D>::release(size_t from) noexcept {
   Allocator<Corridor<D>> allocator(at_.get_allocator());

@@ -41,7 +41,7 @@ class Corridors {
   /** Puts `corridor` in the place of an edge's own one, and that in its place. */
   void swap_own(size_t edge, Corridor<D>& corridor) noexcept { std::swap(*at_[edge], corridor); }
 
-  /** Those that are added are empty. Throws std::bad_alloc, and then nothing has changed. */
+  /** Adds edges whose corridors are empty, or takes the last ones away. Throws std::bad_alloc, and then nothing has changed. */
   void resize(size_t count);
   void shrink_to_fit() { at_.shrink_to_fit(); }
   uint64_t memory_bytes() const noexcept;

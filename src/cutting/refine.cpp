@@ -28,12 +28,12 @@ struct Refinement::Plane {
 
   explicit Plane(const Memory* memory) : vertices(memory), corners(memory), sides(memory), levels(memory) {}
 
-  /** Of a vertex. One that came is on the plane. */
+  /** On which side a vertex is. One that came with a cut is on the plane. */
   int side_of(uint32_t vertex) const {
     const auto i = static_cast<size_t>(dsw::find(vertices.begin(), vertices.end(), vertex) - vertices.begin());
     return i == vertices.size() ? 0 : sides[i];
   }
-  /** Of what has vertices on one side. */
+  /** On which side a facet is whose vertices are on one side. */
   int side_of(const FacetDraft& facet) const {
     int side = 0;
     for (size_t k = 0; side == 0 && k < facet.loop.size(); ++k) side = side_of(facet.loop[k]);

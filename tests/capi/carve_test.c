@@ -189,7 +189,7 @@ static void covered_volumes(void) {
   end();
 }
 
-/* Of squares, too, what is crossed; they cannot be halved. */
+/* Squares that are crossed are carved, too; they cannot be halved. */
 static void in_the_plane(void) {
   static const double corners[6] = {0.2, 0.2, 1.5, 0.2, 0.2, 0.8};
   static const uint32_t segments[6] = {0, 1, 1, 2, 2, 0};
