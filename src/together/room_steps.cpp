@@ -109,6 +109,17 @@ bool RoomSteps<D>::go_to(Array<Trajectory<D>>& trajectories, double fraction, bo
 }
 
 template <int D>
+void RoomSteps<D>::take_back(Array<Trajectory<D>>& trajectories) noexcept {
+  step_.read_start();
+  for (Trajectory<D>& of : trajectories) {
+    Array<BodyVertex<D>>& vertices = of.motion.body->vertices;
+    for (uint32_t v = 0; of.stands && v < vertices.size(); ++v) {
+      if (of.motion.body->has_vertex(v)) vertices[v].cell = of.motion.ways[v].from;
+    }
+  }
+}
+
+template <int D>
 void RoomSteps<D>::keep_wall(const Trajectory<D>& of, const Simplex& part, const uint32_t* corners, uint32_t count) {
   const dsw_body_contact& known = of.record->contacts.back();
   WallFeature wall{};

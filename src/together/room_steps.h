@@ -40,8 +40,8 @@ class RoomSteps {
    * @param keeps whether what is touched then goes to the records, and to `contacts`. */
   bool go_to(Array<Trajectory<D>>& trajectories, double fraction, bool bodies_meet, const TogetherSettings& settings,
              bool keeps);
-  /** The points, not the bodies, are where they were before the last step. */
-  void take_back() noexcept { step_.read_start(); }
+  /** The points, and the cells of what stands, are what they were before the last step; bodies that move are not. */
+  void take_back(Array<Trajectory<D>>& trajectories) noexcept;
   /** Keeps what find_first has found as the contacts, where no step has found others. */
   void keep_standing() { contacts.assign(standing_touched_.begin(), standing_touched_.end()); }
   /** Keeps what a part of a body touches of walls, as its last contact says. */

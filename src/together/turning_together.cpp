@@ -252,7 +252,7 @@ void TurningTogether<D>::record_contacts(Call& call, double touch, Met& met) {
     const double next = std::min(call.limit, std::max(at, touch <= 1 ? touch : at) + further);
     if (!go_to(call, next, true)) break;
     call.put(&RigidTrajectory<D>::before);
-    if (call.room != nullptr) call.room->take_back();
+    if (call.room != nullptr) call.room->take_back(call.trajectories);
     call.at = at;
     if (next == call.limit) break;
   }

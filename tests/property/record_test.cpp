@@ -194,6 +194,8 @@ void call_the_others(dsw_scene* scene, std::vector<double>& lent, std::vector<do
     if (ends[0].index == added.index || ends[1].index == added.index) ok(dsw_body_remove_edge(scene, body, each));
   }
   ok(dsw_body_remove_vertex(scene, body, added));
+  uint32_t freed = 0;
+  ok(dsw_body_depenetrate(scene, body, null_volume, 0, &freed, nullptr));
   ok(dsw_body_destroy(scene, body));
 }
 
