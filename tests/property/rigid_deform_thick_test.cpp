@@ -130,7 +130,8 @@ class ThickRigidDeformTest : public RigidMotionsTest {
 TEST_P(ThickRigidDeformTest, KeepsAllDistancesOnTheWay) {
   size_t moves = 0, stops = 0, whole = 0, thick = 0, broken = 0, broken_after = 0, occupied = 0, silent = 0, wide = 0;
   double widest = 0;
-  const int rounds = effort_of(6);
+  // In the plane a step that is taken back, with something that stands, comes once in about 40 rounds.
+  const int rounds = effort_of(std::string(GetParam().name) == "PlaneEdges" ? 45 : 6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
     std::deque<std::vector<double>> arrays;
     Ground ground = make(rng_);
