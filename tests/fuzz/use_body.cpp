@@ -271,10 +271,16 @@ void edit_body(Subject* s, Bytes* bytes) {
           "what fails changes nothing");
 }
 
-/** A body that is not free begins crossed; whether it can be freed. */
+bool is_crossed(dsw_status status) {
+  return status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE || status == DSW_STATUS_OCCUPIED;
+}
+
+/** A body that is not free begins crossed, unless something else is wrong with it; whether it can be freed. */
 bool free_body(dsw_scene* scene, dsw_body_desc desc, dsw_body_id* body) {
   desc.flags |= DSW_BODY_START_PENETRATING;
-  require(dsw_body_create(scene, &desc, body) == DSW_STATUS_OK, "a body may penetrate something");
+  const dsw_status status = dsw_body_create(scene, &desc, body);
+  require(!is_crossed(status) && status != DSW_STATUS_INTERNAL, "a body may penetrate something");
+  if (status != DSW_STATUS_OK) return false;
   const dsw_penetration* found = nullptr;
   size_t count = 0;
   require(dsw_body_find_penetrations(scene, *body, &found, &count) == DSW_STATUS_OK && count != 0, "which it tells");
@@ -318,9 +324,7 @@ bool create_body(dsw_scene* scene, size_t dimension, Bytes* bytes, dsw_body_id* 
   require(status != DSW_STATUS_INTERNAL, "no defect shows");
   require(dsw_scene_get_body_count(scene, &after) == DSW_STATUS_OK, "bodies are counted");
   require(after == before + (status == DSW_STATUS_OK ? 1 : 0), "a body that is refused is none");
-  const bool is_crossed =
-      status == DSW_STATUS_OUTSIDE || status == DSW_STATUS_IMPASSABLE || status == DSW_STATUS_OCCUPIED;
-  return status == DSW_STATUS_OK || (is_crossed && free_body(scene, desc, body));
+  return status == DSW_STATUS_OK || (is_crossed(status) && free_body(scene, desc, body));
 }
 
 }  // namespace

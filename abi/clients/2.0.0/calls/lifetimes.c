@@ -34,9 +34,9 @@ static void read_much(void) {
 static void keep(const char *name, const void *pointer, size_t size_bytes) {
   unsigned char copy[4096];
   const size_t size = size_bytes < sizeof copy ? size_bytes : sizeof copy;
-  memcpy(copy, pointer, size);
+  if (size != 0) memcpy(copy, pointer, size);
   read_much();
-  say("  %s %s%s", name, memcmp(copy, pointer, size) == 0 ? "stay" : "CHANGE", size_bytes == 0 ? ", none" : "");
+  say("  %s %s%s", name, size == 0 || memcmp(copy, pointer, size) == 0 ? "stay" : "CHANGE", size_bytes == 0 ? ", none" : "");
 }
 
 #define KEEP(call, type)                        \
