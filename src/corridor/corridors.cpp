@@ -19,9 +19,9 @@ Corridors<D>::Corridors(const Corridors& other) : at_(other.at_.get_allocator())
 template <int D>
 void Corridors<D>::resize(size_t count) {
   if (common_.empty() && count != 0) {
-    common_.resize(2, Corridor<D>(at_.get_allocator()));
-    common_[1].facets.reserve(1);
-    common_[1].forget();
+    Array<Corridor<D>> made(2, Corridor<D>(at_.get_allocator()), at_.get_allocator());
+    made[1].forget();
+    common_.swap(made);
   }
   if (count < size()) release(count);
   at_.resize(count, common_.data());

@@ -127,7 +127,8 @@ void BodyReader<D>::read_sequences(Body<D>& body, uint64_t count) {
     const uint32_t word = *take(image_.sequences, sequence_, 1);
     if (word == kUnknownSequence) body.corridors.forget(e);
     if (word == kUnknownSequence || word == 1) continue;  // one that is empty is in rows
-    Corridor<D>& sequence = body.corridors.own(e, env_.obstacle_version);
+    // Whether its facets are passable is asked before it is used.
+    Corridor<D>& sequence = body.corridors.own(e, Portal<D>::kNever);
     facets.clear();
     for (const uint32_t* at = take(image_.sequences, sequence_, word / 2 * 2); facets.size() < word / 2; at += 2) {
       const Cell c = to_cell(map, at[0]);
