@@ -131,6 +131,15 @@ class Turns {
   double reach_ = 0;
 };
 
+dsw_carve_desc carve_along(const ClosedSurface& surface) {
+  dsw_carve_desc desc = defaults(dsw_carve_desc_init);
+  desc.points = surface.points.data();
+  desc.point_count = surface.points.size() / 3;
+  desc.triangles = surface.triangles.data();
+  desc.triangle_count = surface.triangles.size() / 3;
+  return desc;
+}
+
 class CarveTest : public SceneTest {
  protected:
   const Environment<3>& env() const { return dsw::capi::space(*place_.get()); }
@@ -212,11 +221,7 @@ TEST_P(CarveTest, CellsAreHalvedUntilTheyAreShort) {
     mark_most(rng);
     for (int round = 0; round < 2; ++round) {
       const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
-      dsw_carve_desc desc = defaults(dsw_carve_desc_init);
-      desc.points = surface.points.data();
-      desc.point_count = surface.points.size() / 3;
-      desc.triangles = surface.triangles.data();
-      desc.triangle_count = surface.triangles.size() / 3;
+      dsw_carve_desc desc = carve_along(surface);
       const bool covers = rng.chance(0.5), is_whole = covers && rng.chance(0.2);
       desc.flags = covers ? uint32_t{DSW_CARVE_COVER} : 0;
       desc.finest = is_whole ? 0 : place_.world->size * rng.range(0.06, 0.2);
@@ -271,11 +276,7 @@ TEST_P(CarveTest, WhatIsInsideIsCarvedAndNothingElse) {
     mark_most(rng);
     for (int round = 0; round < 3; ++round) {
       const ClosedSurface surface = some_surface(env(), place_.world->size, rng);
-      dsw_carve_desc desc = defaults(dsw_carve_desc_init);
-      desc.points = surface.points.data();
-      desc.point_count = surface.points.size() / 3;
-      desc.triangles = surface.triangles.data();
-      desc.triangle_count = surface.triangles.size() / 3;
+      dsw_carve_desc desc = carve_along(surface);
       desc.flags = rng.chance(0.3) ? uint32_t{DSW_CARVE_WHOLE} : 0;
       const dsw::Cell any = env().map.cell(rng.below(env().map.index_count()));
       if (any.valid() && rng.chance(0.5)) desc.start = volume_id(env().map, any);
