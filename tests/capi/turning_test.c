@@ -451,6 +451,26 @@ static void what_goes_along_a_wall_is_not_rounded_to_it(void) {
   end_scene(scene);
 }
 
+/* Both ends of a rod are in the wall x = 0 exactly. It goes into the room by less than a unit of 2^-53 and comes back, through the wall, at a time that
+   was computed in rational numbers. The side that the shift takes it to is that of the room, so the touch at the start is none. */
+static void what_begins_in_a_wall_leaves_it_and_comes_back(void) {
+  const double rod[6] = {0, 1.1077558473978428, 2.0688218471126203, 0, 0.92417555622416381, 2.2830409024296499};
+  const dsw_rigid_motion motion = {{0, 1.2278750563428041e-08, -1.4328021430593117e-08, 0.99999999999999978},
+                                   {-2.7321334940557231, 1.0568162261300753, 2.1282630302877394},
+                                   {0, -0.049113253943931831, 0.057310045627179521}};
+  const double back = 0.53843216997614196;
+  dsw_scene *const scene = make_scene(make_environment(NULL, N, N, N), 0);
+  const dsw_body_contact *contacts;
+  dsw_move_report report;
+  size_t count;
+  const dsw_body_id body = make_edge_body(scene, rod, DSW_LEVEL_EDGES_SWEPT);
+  CHECK_OK(dsw_body_move_rigid(scene, body, &motion, NULL, &report));
+  CHECK(report.fraction < back && back - report.fraction < 1e-13);
+  CHECK_OK(dsw_body_get_contacts(scene, body, &contacts, &count));
+  CHECK(count == 1 && contacts[0].time == back);
+  end_scene(scene);
+}
+
 int main(int argc, char **argv) {
   unsigned dimension;
   a_body_without_one_of_its_triangles_turns();
@@ -460,6 +480,7 @@ int main(int argc, char **argv) {
   what_stands_on_the_inner_side_is_passed();
   what_lies_on_the_floor_slides_and_leaves();
   what_goes_along_a_wall_is_not_rounded_to_it();
+  what_begins_in_a_wall_leaves_it_and_comes_back();
   for (dimension = 2; dimension <= 3; ++dimension) {
     tally t;
     memset(&t, 0, sizeof t);

@@ -96,8 +96,22 @@ class Course {
   std::vector<double> rooms_;
 };
 
+/** The shift decides about a wall that is touched at time 0. A body may be created there, on the side to which the shift takes it. Take a
+ * vertex in the wall x = 0 of a room where x > 0, with x = s (1 - 2 s) / 2^53 at time s. It is in the room until the time 1/2, when it enters the
+ * wall. Its touch at time 0 is none, and the first touch without a shift is not the first entry. */
 template <int D>
-FirstTouch ask(const Figure& body, const TurningWay& way, const Figure& standing, const Touching& touching) {
+FirstTouch touch_of(const TurningPair<D>& pair, bool is_wall) {
+  constexpr double kBegin = 0x1p-100;  // the shift moves the time 0 by less
+  FirstTouch touch = true_first_touch(pair);
+  if (!is_wall || !touch.touches || touch.time > 0) return touch;
+  touch = true_first_entry(pair);
+  if (touch.time < kBegin) touch.time = 0;
+  return touch;
+}
+
+template <int D>
+FirstTouch ask(const Figure& body, const TurningWay& way, const Figure& standing, const Touching& touching,
+               bool is_wall) {
   const bool is_first = touching.body.count == 1 || (D == 3 && touching.body.count == 2);
   TurningPair<D> pair{};
   pair.kind = D == 2 ? PairKind::kVertexEdge : touching.body.count == 2 ? PairKind::kEdgeEdge : PairKind::kVertexFace;
@@ -115,7 +129,7 @@ FirstTouch ask(const Figure& body, const TurningWay& way, const Figure& standing
     put(body, touching.body);
   }
   pair.way[is_first ? 0 : 1] = &way;
-  return true_first_touch(pair);
+  return touch_of(pair, is_wall);
 }
 
 /** Number is long double or mpq_class. */
@@ -274,7 +288,8 @@ std::array<long double, 3> place_at(const TurningWay& way, const Point& point, l
   return r;
 }
 
-Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, const Figure& standing) {
+Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, const Figure& standing,
+                     std::size_t wall_points) {
   struct Candidate {
     std::size_t piece;
     Touching touching;
@@ -302,8 +317,9 @@ Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, c
   Truth truth;
   for (const Candidate& each : candidates) {
     if (truth.touches && static_cast<double>(each.piece) / kPieces > truth.time) break;
-    const FirstTouch touch =
-        dimension == 2 ? ask<2>(body, way, standing, each.touching) : ask<3>(body, way, standing, each.touching);
+    const bool is_wall = each.touching.standing.at[0] < wall_points;
+    const FirstTouch touch = dimension == 2 ? ask<2>(body, way, standing, each.touching, is_wall)
+                                            : ask<3>(body, way, standing, each.touching, is_wall);
     ++truth.asked;
     if (!touch.touches || (truth.touches && touch.time > truth.time)) continue;
     if (!truth.touches || touch.time < truth.time) truth.pairs.clear();

@@ -23,8 +23,11 @@ struct Truth {
   std::size_t asked = 0;  // pairs decided in rational arithmetic
 };
 
-/** The first touch of a body on its way with what stands. */
-Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, const Figure& standing);
+/** The first touch of a body on its way with what stands. Where the body begins in touch with a wall, it touches when it first enters the
+ * wall under the shift, as it may leave the wall or go along it.
+ * @param wall_points that many points of `standing` are those of walls; the others are those of bodies. */
+Truth first_touch_of(int dimension, const Figure& body, const TurningWay& way, const Figure& standing,
+                     std::size_t wall_points);
 
 /** How places are: whether parts go through each other. Ties between a body and walls are decided by the shift; those between
  * bodies are taken as free. */

@@ -218,7 +218,7 @@ void judge(Scene& scene, bool is_printed, std::size_t number, Tally& tally) {
   const TurningWay way = move.way();
   Figure standing = scene.room->walls();
   standing.add(scene.others);
-  const Truth truth = first_touch_of(D, c.body, way, standing);
+  const Truth truth = first_touch_of(D, c.body, way, standing, scene.room->walls().points.size());
 
   const dsw_free_fraction asked = ask_free(scene, motion);
   dsw_move_report report{};

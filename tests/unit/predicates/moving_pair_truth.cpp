@@ -393,11 +393,15 @@ struct Turn {
   }
 };
 
+/** By how much a feature that turns is displaced along each axis to see what it enters. */
+constexpr double kNoShift[3] = {0, 0, 0}, kShift[3] = {0x1p-300, 0x1p-600, 0x1p-1000};
+
 /** All points in space, times the squares of both quaternions: forms of one degree. A way that is none has the square 1. */
 template <int D>
-std::vector<Vector> moving_points(const TurningPair<D>& pair) {
+std::vector<Vector> moving_points(const TurningPair<D>& pair, const double* shift = kNoShift) {
   const size_t of_first = pair.kind == PairKind::kEdgeEdge ? 2 : 1;
   Integers integers;
+  for (size_t k = 0; k < D; ++k) integers.add(shift[k]);
   for (size_t i = 0; i <= D; ++i) {
     const TurningWay* way = pair.way[i < of_first ? 0 : 1];
     for (size_t k = 0; k < D; ++k) {
@@ -420,7 +424,8 @@ std::vector<Vector> moving_points(const TurningPair<D>& pair) {
         to[k] = {start, integers.of(pair.end[i][k])};
       } else {
         from[k] = {start - integers.of(way->centre[k])};
-        to[k] = {integers.of(way->place[0][k]), integers.of(way->place[1][k])};
+        const mpz_class by = integers.of(shift[k]);
+        to[k] = {integers.of(way->place[0][k]) + by, integers.of(way->place[1][k]) + by};
       }
     }
     Vector at = to;
@@ -435,12 +440,10 @@ std::vector<Vector> moving_points(const TurningPair<D>& pair) {
   return points;
 }
 
-template <class Pair>
-std::optional<Time> first_time(const Pair& pair) {
-  const std::vector<Vector> points = moving_points(pair);
-  const Conditions conditions = pair.kind == PairKind::kVertexFace ? of_vertex_and_face(points)
-                                : pair.kind == PairKind::kEdgeEdge ? of_edges(points)
-                                                                   : of_vertex_and_edge(points);
+std::optional<Time> first_time(PairKind kind, const std::vector<Vector>& points) {
+  const Conditions conditions = kind == PairKind::kVertexFace ? of_vertex_and_face(points)
+                                : kind == PairKind::kEdgeEdge ? of_edges(points)
+                                                              : of_vertex_and_edge(points);
   const Time start{};
   if (conditions.hold_at(start)) return start;
   std::optional<Time> first;
@@ -455,13 +458,23 @@ std::optional<Time> first_time(const Pair& pair) {
   }
   return first;
 }
+template <class Pair>
+std::optional<Time> first_time(const Pair& pair) {
+  return first_time(pair.kind, moving_points(pair));
+}
+
+FirstTouch touch_at(const std::optional<Time>& time) { return {time.has_value(), time ? time->double_below_it() : 0}; }
 
 }  // namespace
 
 template <class Pair>
 FirstTouch true_first_touch(const Pair& pair) {
-  const std::optional<Time> time = first_time(pair);
-  return {time.has_value(), time ? time->double_below_it() : 0};
+  return touch_at(first_time(pair));
+}
+
+template <int D>
+FirstTouch true_first_entry(const TurningPair<D>& pair) {
+  return touch_at(first_time(pair.kind, moving_points(pair, kShift)));
 }
 
 template <class Pair>
@@ -481,6 +494,8 @@ template FirstTouch true_first_touch(const MovingPair<2>&);
 template FirstTouch true_first_touch(const MovingPair<3>&);
 template FirstTouch true_first_touch(const TurningPair<2>&);
 template FirstTouch true_first_touch(const TurningPair<3>&);
+template FirstTouch true_first_entry(const TurningPair<2>&);
+template FirstTouch true_first_entry(const TurningPair<3>&);
 template int true_compare(const MovingPair<2>&, const MovingPair<2>&);
 template int true_compare(const MovingPair<3>&, const MovingPair<3>&);
 template int true_compare(const TurningPair<2>&, const TurningPair<2>&);

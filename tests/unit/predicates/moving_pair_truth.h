@@ -11,6 +11,11 @@ namespace dsw {
 template <class Pair>
 FirstTouch true_first_touch(const Pair& pair);
 
+// When a pair of which one feature has a way first touches if this feature is displaced a little: along x by 2^-300, and along each later
+// axis by much less. So features touch at time 0 only if they do so on both sides of their plane, and what leaves does not touch.
+template <int D>
+FirstTouch true_first_entry(const TurningPair<D>& pair);
+
 // Sign of a's first time minus b's. Both touch.
 template <class Pair>
 int true_compare(const Pair& a, const Pair& b);
