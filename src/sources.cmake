@@ -200,6 +200,7 @@ list(APPEND dsw_sources
   contact/describe_thick.cpp
   contact/geometry.cpp
   contact/names.cpp
+  contact/vertex_normal.cpp
 )
 
 # query: what a host asks of an environment alone, or of points alone

@@ -52,6 +52,11 @@ CURVES = {
     "edge_place": (
         "Bisection depth: place at the contact",
         "The same moves: how far is the moving end, as reported, from where it is at the exact time?"),
+    "edge_normal": (
+        "Bisection depth: the normal",
+        "Moves of an edge's end that touch the winding wall of a lumen: how far is the normal from that of the exact search? "
+        "The dichotomic search gives that of the triangle met last or, as in the paper, the mean of the walls at its "
+        "nearest vertex."),
     "move_time": (
         "Bisection depth: all moves",
         "The same where moves are a quarter of a cell long and most of them are free: what a move costs, and how far the times "

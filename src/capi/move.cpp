@@ -27,7 +27,7 @@ dsw::MoveSettings to_settings(const dsw_move_options& o) {
          capi::raw_value(o.vertex_response));
   }
   s.edge = to_response(o.edge_response, "options->edge_response");
-  s.search = static_cast<dsw::Search>(capi::to_number(o.search, DSW_SEARCH_BISECTION, "options->search"));
+  s.search = static_cast<dsw::Search>(capi::to_number(o.search, DSW_SEARCH_BISECTION_VERTEX, "options->search"));
   s.keeps_walls = (o.flags & DSW_MOVE_KEEP_WALLS) != 0;
   s.leaves = (o.flags & DSW_MOVE_LEAVE) != 0;
   s.passes = capi::to_count(o.passes, kMostPasses, 0, "options->passes");

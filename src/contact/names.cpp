@@ -2,8 +2,8 @@
 
 #include <tuple>
 
+#include "contact/walls_at.h"
 #include "corridor/fan.h"
-#include "map/cell_queue.h"
 
 namespace dsw {
 namespace {
@@ -50,28 +50,12 @@ void name_lowest_wall(const Environment<D>& env, dsw_contact& contact) {
     corners[1] = dart_target(map, edge);
   }
   const dsw_contact_kind kind = contact.kind;
-  CellQueue cells(env.memory);
-  cells.insert(map.cell(contact.front.index));
-  for (size_t i = 0; i < cells.size(); ++i) {
-    const Cell c = cells[i];
-    const Shape shape = map.shape(c);
-    for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      bool has[2] = {};
-      for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
-        for (int k = 0; k < 2; ++k) has[k] = has[k] || map.vertex(c, local) == corners[k];
-      });
-      if (!has[0] || !has[1]) continue;
-      const HalfFacet facet = map.half_facet(c, f);
-      if (!is_impassable(env, facet)) {
-        cells.insert(map.cell_of(map.opposite(facet)));
-        continue;
-      }
-      const dsw_face_id id = face_id(map, canonical(map, facet));
-      if (std::tie(id.volume, id.local) < std::tie(contact.wall.volume, contact.wall.local)) {
-        name_wall(env, facet, contact);
-      }
+  for_each_wall_at(env, map.cell(contact.front.index), corners, [&](Cell, uint32_t, HalfFacet wall) {
+    const dsw_face_id id = face_id(map, canonical(map, wall));
+    if (std::tie(id.volume, id.local) < std::tie(contact.wall.volume, contact.wall.local)) {
+      name_wall(env, wall, contact);
     }
-  }
+  });
   contact.kind = kind;
   contact.obstacle = named;
 }

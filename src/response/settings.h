@@ -9,7 +9,7 @@
 namespace dsw {
 
 enum class Response : uint32_t { kStop, kAdaptiveOne, kAdaptiveMany, kHybrid, kSlide, kAdaptiveSlide };
-enum class Search : uint32_t { kExact, kAll, kBisection };
+enum class Search : uint32_t { kExact, kAll, kBisection, kBisectionVertex };
 
 /** See dsw_move_options. */
 struct MoveSettings {
@@ -24,6 +24,7 @@ struct MoveSettings {
   uint32_t passes = 0;       // further ones, over the vertices that have stopped
   bool leaves = false;       // vertices that come to an exit stay there, to be removed
 
+  bool halves() const { return search == Search::kBisection || search == Search::kBisectionVertex; }
   bool may_slide() const { return slides(vertex) || slides(edge); }
   static bool slides(Response response) { return response == Response::kSlide || response == Response::kAdaptiveSlide; }
   bool may_edit() const { return may_insert() || noise_share > 0; }

@@ -5,6 +5,7 @@
 #include "base/points.h"
 #include "base/search.h"
 #include "contact/describe.h"
+#include "contact/vertex_normal.h"
 #include "response/insertion.h"
 #include "walk/retreat.h"
 
@@ -118,7 +119,7 @@ template <int D>
 bool VertexMove<D>::advance(uint32_t v, const double* to, const Cell* arrival) {
   under_.clear();
   exit_ = {};
-  if (settings_.search == Search::kBisection) return advance_by_halving(v, to);
+  if (settings_.halves()) return advance_by_halving(v, to);
   TooNear<D> near;
   const bool is_too_near = sweeps_.thick.find_first(sweeps_.partners, body_, v, to, &near);
   if (is_too_near && body_.radius > 0) {  // before it meets anything
@@ -292,6 +293,7 @@ dsw_body_contact VertexMove<D>::describe_try(uint32_t v, const double* to, const
       if (by_cast) inside = path_contact(env_, hit);
       contact = describe(env_, body_, v, met, inside);
     }
+    if (settings_.search == Search::kBisectionVertex) turn_to_vertex(env_, contact.point, contact.contact);
   }
   std::copy_n(to, D, contact.to);
   return contact;

@@ -218,11 +218,13 @@ static void responses_insert_vertices(void) {
 }
 
 static void searches_agree(void) {
-  static const dsw_search kSearches[3] = {DSW_SEARCH_EXACT, DSW_SEARCH_EXHAUSTIVE, DSW_SEARCH_BISECTION};
+  static const dsw_search kSearches[4] = {DSW_SEARCH_EXACT, DSW_SEARCH_EXHAUSTIVE, DSW_SEARCH_BISECTION,
+                                          DSW_SEARCH_BISECTION_VERTEX};
+  const double diagonal = sqrt(g_dimension == 3 ? 1.0 / 3 : 0.5);
   double exact = 0;
   int i;
   mark_pillar(DSW_MARK_IMPASSABLE);
-  for (i = 0; i < 3; ++i) {
+  for (i = 0; i < 4; ++i) {
     const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
     dsw_move_options o = move_options();
     const dsw_body_contact *c = NULL;
@@ -233,12 +235,17 @@ static void searches_agree(void) {
     count = contacts_of(body, &c);
     CHECK(count >= 2);
     if (i == 0) exact = c->time;
-    CHECK(i == 2 ? c->time <= exact && c->time >= exact - 1.0 / 1024 : c->time == exact);
-    if (i == 2) { /* the pillar's lower face is what a cast along the edge meets first */
+    CHECK(i >= 2 ? c->time <= exact && c->time >= exact - 1.0 / 1024 : c->time == exact);
+    if (i >= 2) { /* the pillar's lower face is what a cast along the edge meets first */
       CHECK(c->contact.kind == DSW_CONTACT_PLANE && c->contact.obstacle.kind == DSW_CELL_FACE &&
             c->contact.tag == 100 + g_pillar);
-      CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == -1 && fabs(c->point[0] - 2) < 1e-2 &&
-            fabs(c->point[1] - 1) < 1e-15);
+      CHECK(fabs(c->point[0] - 2) < 1e-2 && fabs(c->point[1] - 1) < 1e-15);
+      if (i == 2) {
+        CHECK(c->contact.normal[0] == 0 && c->contact.normal[1] == -1);
+      } else { /* of the pillar's walls at its lower corner on the left */
+        CHECK(fabs(c->contact.normal[0] + diagonal) < 1e-15 && fabs(c->contact.normal[1] + diagonal) < 1e-15);
+        CHECK(is_unit(c->contact.normal));
+      }
       CHECK(fabs(c->edge_parameter - 0.75 / 3.5) < 1e-2 && c->edge.generation == 1);
       CHECK(c->contact.front.index == g_pillar - N && c->contact.front.generation == 1);
     } else {
@@ -300,7 +307,7 @@ static void bad_options_are_refused(void) {
   BAD(UNSUPPORTED, vertex_response, (dsw_response)6);
   BAD(UNSUPPORTED, edge_response, (dsw_response)6);
   BAD(UNSUPPORTED, edge_response, (dsw_response)-1);
-  BAD(UNSUPPORTED, search, (dsw_search)3);
+  BAD(UNSUPPORTED, search, (dsw_search)4);
   BAD(OUT_OF_RANGE, bisection_depth, 53);
   BAD(OUT_OF_RANGE, min_part, -0.25);
   BAD(OUT_OF_RANGE, min_part, 0.50001);

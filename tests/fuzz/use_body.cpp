@@ -119,7 +119,7 @@ void check_contact(const Subject& s, const dsw_body_contact& c, dsw_search searc
   require(c.edge.generation == 0 || c.face.generation == 0, "an edge or a face");
   require(c.vertex.generation != 0 && c.contact.front.generation != 0 && c.distance_left >= 0, "a contact is whole");
   // Casts and sweeps are of thin ones.
-  if (on_arc || !s.is_partition || s.radius != 0 || search == DSW_SEARCH_BISECTION || c.face.generation != 0) return;
+  if (on_arc || !s.is_partition || s.radius != 0 || search >= DSW_SEARCH_BISECTION || c.face.generation != 0) return;
   const bool all = search == DSW_SEARCH_EXHAUSTIVE;  // obstacles behind the first come with their own times
   const dsw_environment* environment = dsw_scene_get_environment(s.scene);
   const dsw_volume_id none = {0, 0};
@@ -161,7 +161,7 @@ void move_body(Subject* s, Bytes* bytes) {
   options.edge_response = static_cast<dsw_response>(bytes->below(6));
   const uint8_t choice = bytes->byte();
   options.vertex_response = (choice & 1) != 0 ? DSW_RESPONSE_SLIDE : DSW_RESPONSE_STOP;
-  options.search = static_cast<dsw_search>((choice >> 1) % 3);
+  options.search = static_cast<dsw_search>((choice >> 1) % 4);
   options.bisection_depth = (choice & 8) != 0 ? 52 : 0;
   options.min_part = (choice & 16) != 0 ? 1e-6 : 0;
   options.stand_off = (choice & 32) != 0 ? -1 : (choice & 64) != 0 ? 0.125 : 0;

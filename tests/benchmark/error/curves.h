@@ -22,7 +22,7 @@ struct Options {
   int rounds() const { return quick ? 3 : 7; }
 };
 
-/** edge_time, edge_place, move_time: the dichotomic search against the exact one. */
+/** edge_time, edge_place, edge_normal, move_time: the dichotomic search against the exact one. */
 void time_curves(const Options& options);
 /** missed_vessel, missed_faces, missed_spikes: levels against the length of edges. */
 void level_curves(const Options& options);

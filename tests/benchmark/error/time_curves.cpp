@@ -3,6 +3,7 @@
 #include "curves.h"
 #include "moves.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsw::curves {
@@ -114,6 +115,54 @@ void measure(const Options& options, bool touching, Curve& times, Curve* places)
   }
 }
 
+/** Degrees between the normal of a contact and that of the exact search, which the curve contact_normal judges. */
+double degrees_between(const double* a, const double* b) {
+  double dot = 0;
+  for (int i = 0; i < 3; ++i) dot += a[i] * b[i];
+  return std::acos(std::clamp(dot, -1.0, 1.0)) * 180 / 3.14159265358979323846;
+}
+
+/** The normals of the dichotomic search: that of the triangle met last, and the paper's, at a vertex of the wall. */
+void measure_normals(const Options& options, Curve& curve) {
+  Place place(Kind::kVessel, 12, options.seed);
+  Rng rng(options.seed + 100);
+  const auto moves = moves_of_ends(place, rng, options.count(300, 3000), true);
+  std::vector<std::unique_ptr<Movers>> movers;
+  std::vector<Method> methods;
+  const auto add = [&](const std::string& name, const std::string& setting, const dsw_move_options& move) {
+    movers.push_back(std::make_unique<Movers>(place, moves, Setting{DSW_LEVEL_EDGES_SWEPT, 0, 0, move}));
+    Movers* mine = movers.back().get();
+    methods.push_back(
+        {name, setting, setting.empty() ? "" : "halvings", [mine] { mine->prepare(); }, [mine] { mine->run(); }});
+  };
+  add("dartsweep exact", "", move_options());
+  for (const dsw_search search : {DSW_SEARCH_BISECTION, DSW_SEARCH_BISECTION_VERTEX}) {
+    for (const std::uint32_t depth : {1u, 5u, 10u, 20u, 40u}) {
+      dsw_move_options move = move_options();
+      move.search = search;
+      move.bisection_depth = depth;
+      const char* name = search == DSW_SEARCH_BISECTION ? "dartsweep bisection" : "dartsweep bisection, at a vertex";
+      add(name, std::to_string(depth), move);
+    }
+  }
+  const auto seconds = time_methods(methods, moves.size(), options.rounds());
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Errors errors;
+    for (std::size_t m = 0; m < moves.size(); ++m) {
+      const auto exact = movers[0]->contacts(m), found = movers[i]->contacts(m);
+      if (exact.empty() || found.empty()) continue;
+      errors.values.push_back(degrees_between(exact.front().contact.normal, found.front().contact.normal));
+    }
+    const Method& m = methods[i];
+    curve.points.push_back(
+        {m.name, m.setting, m.unit, seconds[i], errors.mean(), errors.values.size(), errors.spread()});
+  }
+  const auto at = [&](std::size_t i) { return curve.points[i].error; };
+  curve.advice =
+      text("At depth 20 the normal of the triangle is off by %.2g degrees in the mean, that at a vertex by %.2g.",
+           at(4), at(9));
+}
+
 }  // namespace
 
 void time_curves(const Options& options) {
@@ -122,6 +171,9 @@ void time_curves(const Options& options) {
   Curve move_time{"move_time", "move of an edge's end", edge_time.error_name, edge_time.error_unit, {}, ""};
   measure(options, true, edge_time, &edge_place);
   measure(options, false, move_time, nullptr);
+  Curve edge_normal{"edge_normal", edge_time.item, "normal at the contact", "degrees", {}, ""};
+  measure_normals(options, edge_normal);
+  edge_normal.write(options.out);
   for (Curve* curve : {&edge_time, &edge_place, &move_time}) {
     curve->advice = advise(*curve);
     curve->write(options.out);
