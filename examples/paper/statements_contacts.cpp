@@ -1,7 +1,6 @@
 // 4.2 and 4.3 of [JCD10].
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "statements.h"
 
@@ -17,90 +16,6 @@ Point unit(const Point& a) {
 double angle(const Point& a, const Point& b) {
   return kDegrees * std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0));
 }
-
-// The mean of the unit normals of the walls at each vertex, into what can be passed. A wall can have two sides: volumes of one region have
-// one mean.
-class VertexNormals {
- public:
-  explicit VertexNormals(const dsw_environment* environment) : environment_(environment) {
-    dsw_environment_info info = {};
-    info.struct_size = sizeof info;
-    physics::check(dsw_environment_get_info(environment, &info), "reading the environment");
-    for (std::uint32_t v = 0; v < info.volume_index_count; ++v) {
-      add({v, 1});
-    }
-  }
-
-  // At the corner of a face that is nearest to a point, seen from a volume.
-  Point at(dsw_face_id face, dsw_volume_id front, const double* point) const {
-    Corners corners = corners_of(face);
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      const Point off = minus(corners[i].at, to_point(point)), best = minus(corners[nearest].at, to_point(point));
-      nearest = dot(off, off) < dot(best, best) ? i : nearest;
-    }
-    const auto found = sums_.find({corners[nearest].index, region_of(front)});
-    return found == sums_.end() ? Point{} : found->second;
-  }
-
- private:
-  struct Corner {
-    std::uint32_t index;
-    Point at;
-  };
-  using Corners = std::vector<Corner>;
-
-  Corners corners_of(dsw_face_id face) const {
-    dsw_vertex_id ids[16];
-    std::size_t count = 0;
-    physics::check(dsw_environment_copy_vertices(
-                       environment_, {DSW_CELL_FACE, face.volume, face.generation, face.local}, ids, 16, &count),
-                   "reading a face");
-    Corners corners;
-    for (std::size_t i = 0; i < count; ++i) {
-      Point at;
-      physics::check(dsw_environment_get_vertex_position(environment_, ids[i], at.data()), "reading a vertex");
-      corners.push_back({ids[i].index, at});
-    }
-    return corners;
-  }
-
-  std::int32_t region_of(dsw_volume_id volume) const {
-    std::int32_t region = 0;
-    physics::check(dsw_environment_get_region(environment_, volume, &region), "reading a region");
-    return region;
-  }
-
-  void add(dsw_volume_id volume) {
-    int is_marked = 0;
-    physics::check(
-        dsw_environment_is_marked(environment_, {DSW_CELL_VOLUME, volume.index, volume.generation, 0}, &is_marked),
-        "reading a mark");
-    Point centre;
-    physics::check(dsw_environment_get_centre(environment_, volume, centre.data()), "reading a centre");
-    for (std::uint32_t local = 0; is_marked == 0 && local < 4; ++local) {
-      int is_wall = 0;
-      physics::check(dsw_environment_get_neighbour(environment_, volume, local, nullptr, &is_wall),
-                     "reading a neighbour");
-      if (is_wall == 0) {
-        continue;
-      }
-      dsw_face_id face;
-      physics::check(dsw_environment_get_face_id(environment_, volume, local, &face), "naming a face");
-      const Corners corners = corners_of(face);
-      Point normal = unit(cross(minus(corners[1].at, corners[0].at), minus(corners[2].at, corners[0].at)));
-      const double side = dot(normal, minus(centre, corners[0].at)) > 0 ? 1 : -1;
-      for (const Corner& corner : corners) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          sums_[{corner.index, region_of(volume)}][k] += side * normal[k];
-        }
-      }
-    }
-  }
-
-  const dsw_environment* environment_;
-  std::map<std::pair<std::uint32_t, std::int32_t>, Point> sums_;
-};
 
 // A body of one edge.
 dsw_status add_edge(dsw_scene* scene, const Point* ends, dsw_body_id* body) {
@@ -138,37 +53,30 @@ bool touch(dsw_scene* scene, const Point* ends, const Point& target, dsw_search 
 }
 
 void normals_at(const char* name, dsw_environment* environment, double size, int trials, Statements* out) {
-  const VertexNormals vertices(environment);
   const physics::Scene scene = make_scene(environment, 0);
   dsw_environment_info info = {};
   info.struct_size = sizeof info;
   physics::check(dsw_environment_get_info(environment, &info), "reading the environment");
   Random random(17);
   std::vector<double> of_vertex, of_triangle;
-  int without = 0;
   for (int trial = 0; trial < trials; ++trial) {
     Point ends[2];
     physics::check(dsw_environment_get_centre(environment, {random.below(info.volume_index_count), 1}, ends[0].data()),
                    "reading a centre");
     ends[1] = random.near(ends[0], size);
     const Point target = random.near(ends[0], size);
-    dsw_body_contact exact, halved;
+    dsw_body_contact exact, halved, paper;
     if (!touch(scene.get(), ends, target, DSW_SEARCH_EXACT, &exact) ||
-        !touch(scene.get(), ends, target, DSW_SEARCH_BISECTION, &halved)) {
+        !touch(scene.get(), ends, target, DSW_SEARCH_BISECTION, &halved) ||
+        !touch(scene.get(), ends, target, DSW_SEARCH_BISECTION_VERTEX, &paper)) {
       continue;
     }
-    const Point truth = to_point(exact.contact.normal),
-                mean = vertices.at(halved.contact.wall, halved.contact.front, halved.point);
-    if (!(dot(mean, mean) > 1e-6)) {
-      ++without;  // the normals there cancel
-      continue;
-    }
+    const Point truth = to_point(exact.contact.normal);
     of_triangle.push_back(angle(truth, to_point(halved.contact.normal)));
-    of_vertex.push_back(angle(truth, mean));
+    of_vertex.push_back(angle(truth, to_point(paper.contact.normal)));
   }
   const std::string where = name;
   out->push_back({"4.2", where + ": contacts of edges", static_cast<double>(of_vertex.size()), ""});
-  out->push_back({"4.2", where + ": contacts at a vertex without a normal", static_cast<double>(without), ""});
   for (const double part : {0.5, 0.9}) {
     const std::string rest = part == 0.5 ? ", median" : ", 90 of 100";
     out->push_back({"4.2", where + ": normal at a vertex, degrees off" + rest, quantile(of_vertex, part), ""});

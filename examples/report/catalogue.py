@@ -54,7 +54,7 @@ CURVES = {
         "The same moves: how far is the moving end, as reported, from where it is at the exact time?"),
     "edge_normal": (
         "Bisection depth: the normal",
-        "Moves of an edge's end that touch the winding wall of a lumen: how far is the normal from that of the exact search? "
+        "Moves of an edge's end that touch the wall of a lumen, which has steps like stairs: how far is the normal from that of the exact search? "
         "The dichotomic search gives that of the triangle met last or, as in the paper, the mean of the walls at its "
         "nearest vertex."),
     "move_time": (

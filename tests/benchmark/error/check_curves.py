@@ -13,7 +13,7 @@ ROUNDING = 1e-13  # of places, in cells, coordinates up to 20
 # What the exact method may be off by, by curve.
 EXACT = {
     "edge_time": ("dartsweep exact", ULP), "edge_place": ("dartsweep exact", ROUNDING),
-    "edge_normal": ("dartsweep exact", 1e-5),
+    "edge_normal": ("dartsweep exact", 0),
     "move_time": ("dartsweep exact", ULP),
     "ccd_vertex_face": ("dartsweep exact", ULP), "ccd_edge_edge": ("dartsweep exact", ULP),
     "degenerate_vertex_face": ("dartsweep exact", 0), "degenerate_edge_edge": ("dartsweep exact", 0),

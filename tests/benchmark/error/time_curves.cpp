@@ -117,9 +117,9 @@ void measure(const Options& options, bool touching, Curve& times, Curve* places)
 
 /** Degrees between the normal of a contact and that of the exact search, which the curve contact_normal judges. */
 double degrees_between(const double* a, const double* b) {
-  double dot = 0;
-  for (int i = 0; i < 3; ++i) dot += a[i] * b[i];
-  return std::acos(std::clamp(dot, -1.0, 1.0)) * 180 / 3.14159265358979323846;
+  double square = 0;
+  for (int i = 0; i < 3; ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  return 2 * std::asin(std::min(1.0, std::sqrt(square) / 2)) * 180 / 3.14159265358979323846;
 }
 
 /** The normals of the dichotomic search: that of the triangle met last, and the paper's, at a vertex of the wall. */
