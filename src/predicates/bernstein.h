@@ -18,6 +18,7 @@
 #include <initializer_list>
 
 #include "predicates/ball.h"
+#include "predicates/sharp_root.h"
 
 namespace dsw {
 namespace bernstein {
@@ -59,6 +60,14 @@ struct RoughCurve {
     for (int i = 0; i <= degree; ++i) size = std::fabs(c[i]) > size ? std::fabs(c[i]) : size;
     const double value = at(t, &slope), bound = size * 0x1p-46 + 0x1p-1000;
     return value > bound ? 1 : value < -bound ? -1 : kOpenSign;
+  }
+
+  // Whether doubles tell only roughly where the root near t is: a value errs by more than it changes over the next doubles.
+  bool is_blurred_at(double t) const noexcept {
+    double size = 0, slope = 0;
+    for (int i = 0; i <= degree; ++i) size = std::fabs(c[i]) > size ? std::fabs(c[i]) : size;
+    at(t, &slope);
+    return size * 0x1p-52 > std::fabs(slope) * t * 0x1p-51;
   }
 
   // Near to the root between low and high; `rising` says how the sign changes there. Newton's method, with bisection where a
@@ -119,7 +128,10 @@ bool is_zero(const Curve& curve) noexcept {
 template <class Curve>
 bool find_only_root(const Curve& curve, double low, double high, int before, Place* place) {
   std::uint64_t a = integers::bits_of(low), b = integers::bits_of(high);
-  const std::uint64_t at = integers::bits_of(curve.rough().guess_root(low, high, before < 0));
+  double guess = curve.rough().guess_root(low, high, before < 0);
+  if (curve.degree() > 1 && curve.rough().is_blurred_at(guess))
+    guess = SharpCurve(curve).near_root(guess, low, high, before < 0);
+  const std::uint64_t at = integers::bits_of(guess);
   const int sign = integers::narrow_sign_change(&a, &b, at, before, [&](double t) { return curve.sign_at(t); });
   *place = {integers::of_bits(a), sign == 0};
   return sign != kOpenSign;

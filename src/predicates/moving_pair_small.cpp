@@ -136,13 +136,23 @@ class SmallCurves {
       const int x = D == 3 ? (view + 1) % 3 : 0, y = D == 3 ? (view + 2) % 3 : 1;
       const auto [a, b, c] = exact_touch::kTriangle[triangle];
       Int128 sum[3];
-      for (int i = 0; i < 3; ++i) {
-        sum[i] = cross(b, c, x, y, i);
-        if (a != 0) sum[i] = sum[i] + cross(a, b, x, y, i) - cross(a, c, x, y, i);
-      }
+      for (int i = 0; i < 3; ++i) sum[i] = area_of(a, b, c, x, y, i);
       set_area(view, triangle, sum[0], sum[1], sum[2]);
     }
     return area_[view][triangle];
+  }
+
+  int volume_at_start() const noexcept {
+    if constexpr (D == 2) {
+      return integers::sign(cross(1, 2, 0, 1, 0));
+    } else {
+      const Int128 minor[3] = {cross(2, 3, 1, 2, 0), cross(2, 3, 2, 0, 0), cross(2, 3, 0, 1, 0)};
+      return integers::sign(Small::dot3(minor, row_[0][1]));
+    }
+  }
+  int area_at_start(int view, int triangle) const noexcept {
+    const auto [a, b, c] = exact_touch::kTriangle[triangle];
+    return integers::sign(area_of(a, b, c, (view + 1) % 3, (view + 2) % 3, 0));
   }
 
   template <class Curve>
@@ -164,6 +174,12 @@ class SmallCurves {
  private:
   static constexpr int kViews = D == 3 ? 3 : 1;
   static constexpr int kTriangles = D == 3 ? 4 : 1;
+
+  // A coefficient of the area of three points.
+  Int128 area_of(int a, int b, int c, int x, int y, int coefficient) const noexcept {
+    const Int128 sum = cross(b, c, x, y, coefficient);
+    return a == 0 ? sum : sum + cross(a, b, x, y, coefficient) - cross(a, c, x, y, coefficient);
+  }
 
   // A coefficient of the area that rows a and b span.
   Int128 cross(int a, int b, int x, int y, int coefficient) const noexcept {

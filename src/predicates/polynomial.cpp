@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "predicates/polynomial_parts.h"
+#include "predicates/polynomial_narrowing.h"
 
 namespace dsw {
 
@@ -183,10 +183,33 @@ class RootFinder {
     if (before != after) refine(low, high);
   }
 
+  // A time between two roots, of which there are at least two between low and high: near to where p turns, which takes some steps of
+  // Narrowing where halving takes one for each bit. Where this is not near a single turn or bend: half way.
+  Dyadic between_roots(const Dyadic& low, const Dyadic& high, int before, int after) {
+    Root turn;
+    turn.of = p_;
+    turn.low = low;
+    turn.high = high;
+    while (turn.of.degree > 1) {
+      turn.of = derivative(pool_, turn.of);
+      if (sign_at(turn.of, low) * sign_at(turn.of, high) >= 0) continue;
+      Narrowing narrow(pool_, turn);
+      while (true) {
+        narrow.step();
+        for (const Dyadic* end : {&narrow.low(), &narrow.high()}) {
+          const int between = sturm_->variations(*end);
+          if (between != before && between != after) return *end;
+        }
+        if (narrow.is_exact() || sturm_->variations(narrow.low()) == sturm_->variations(narrow.high())) break;
+      }
+    }
+    return half_way(low, high);
+  }
+
   // Isolates roots between two neighbouring doubles.
   void isolate_within(double floor, Dyadic low, Dyadic high, int before, int after, double next) {
     while (before - after > 1) {
-      const Dyadic middle = half_way(low, high);
+      const Dyadic middle = between_roots(low, high, before, after);
       const int between = sturm_->variations(middle);
       if (between == after) {
         high = middle;

@@ -41,6 +41,8 @@ class PolynomialCurves {
     if (!volume_) volume_.emplace(pool_, points_.volume());
     return *volume_;
   }
+  int volume_at_start() { return volume().sign(0); }
+  int area_at_start(int view, int triangle) { return area(view, triangle).sign(0); }
   const PolynomialCurve& area(int view, int triangle) {
     std::optional<PolynomialCurve>& area = area_[view][triangle];
     if (!area) area.emplace(pool_, points_.area(view, triangle));

@@ -11,7 +11,8 @@
 namespace dsw {
 
 // Curves: volume(), area(view, triangle) and difference(axis, i, j) return curves in the sense of bernstein.h, or references to
-// them. i and j are points of two features.
+// them. i and j are points of two features. volume_at_start() and area_at_start(view, triangle) are signs at time 0, which take less:
+// pairs that touch from the start on are common.
 template <int D, class Curves>
 class QuickTouch {
  public:
@@ -19,9 +20,9 @@ class QuickTouch {
 
   // Whether the answer is known: *first is it then.
   bool find_first(FirstTouch* first) {
+    if (curves_.volume_at_start() == 0 && touches_at_start()) return answer(kStart, first);
     const auto& volume = curves_.volume();
     if (bernstein::is_zero(volume)) return find_first_change(first);
-    if (volume.sign(0) == 0 && touches(kStart, volume) == Answer::kYes) return answer(kStart, first);
     Place places[bernstein::kMostDegree];
     int count = 0;
     if (!find_roots(volume, places, &count)) {
@@ -46,6 +47,28 @@ class QuickTouch {
 
   static bool answer(const Place& place, FirstTouch* first) {
     *first = {true, place.floor, place.is_exact};
+    return true;
+  }
+
+  // Whether the pair touches at the start, where the volume is 0.
+  bool touches_at_start() {
+    if constexpr (D == 3) {
+      for (int view = 0; view < 3; ++view) {
+        int sign[4];
+        for (int i = 0; i < 4; ++i) sign[i] = curves_.area_at_start(view, i);
+        if (sign[0] != 0 || sign[1] != 0 || sign[2] != 0 || sign[3] != 0) return !exact_touch::areas_part(kind_, sign);
+      }
+    }
+    const exact_touch::Opposite& pairs = exact_touch::opposite(kind_);
+    const auto sign = [&](int axis, int i) {
+      return curves_.difference(axis, pairs.pair[i][0], pairs.pair[i][1]).sign(0);
+    };
+    for (int k = 0; k < D; ++k) {
+      const int first = sign(k, 0);
+      bool apart = first != 0;
+      for (int i = 1; i < pairs.count && apart; ++i) apart = sign(k, i) == first;
+      if (apart) return false;
+    }
     return true;
   }
 
@@ -117,9 +140,8 @@ class QuickTouch {
     return is_open ? Answer::kOpen : Answer::kYes;
   }
 
-  // The volume is always 0.
+  // The volume is always 0, and the pair does not touch at the start.
   bool find_first_change(FirstTouch* first) {
-    if (touches(kStart, curves_.volume()) == Answer::kYes) return answer(kStart, first);
     *first = {false, 0};
     if constexpr (D == 3) {
       for (int k = 0; k < 3; ++k) {
