@@ -7,6 +7,33 @@
 #include "body/body.h"
 
 namespace dsw {
+namespace {
+
+/** A vertex next to another one, and the third one of a triangle of both; in the plane, and of an edge, kNone. */
+using Spoke = std::pair<uint32_t, uint32_t>;
+
+/** Whether triangles at a vertex make one ring, or an open one. `spokes` sorted, each once. */
+bool is_ring(const Spoke* spokes, const Spoke* end, bool may_be_open) noexcept {
+  const auto at = [&](uint32_t vertex) { return std::lower_bound(spokes, end, Spoke(vertex, 0)); };
+  const auto is_last = [&](const Spoke* s) { return s + 1 == end || s[1].first != s->first; };
+  const Spoke* start = spokes;
+  for (const Spoke* s = spokes; may_be_open && s != end; ++s) {
+    if (is_last(s) && (s == spokes || s[-1].first != s->first)) start = s;
+  }
+  ptrdiff_t seen = 0;
+  for (uint32_t now = start->first, before = kNone;;) {
+    const Spoke* const s = at(now);
+    const bool is_end = is_last(s);
+    if (!is_end && !is_last(s + 1)) return false;
+    seen += is_end ? 1 : 2;
+    const uint32_t next = s->second != before || is_end ? s->second : s[1].second;
+    if (next == kNone || (is_end && !may_be_open)) return false;
+    if (next == start->first || (is_end && before != kNone)) return seen == end - spokes;
+    before = std::exchange(now, next);
+  }
+}
+
+}  // namespace
 
 template <int D>
 void NearList<D>::clear() noexcept {
@@ -72,9 +99,9 @@ template <int D>
 void NearList<D>::add_features_at(uint32_t vertex) {
   // Each obstacle at the vertex gives its other vertices, each with the third one, if there is one.
   const auto first = static_cast<uint32_t>(around_.size());
-  std::pair<uint32_t, uint32_t> few[32];
-  Array<std::pair<uint32_t, uint32_t>> many(around_.get_allocator());
-  std::pair<uint32_t, uint32_t>* others = few;
+  Spoke few[32];
+  Array<Spoke> many(around_.get_allocator());
+  Spoke* others = few;
   size_t count = 0;
   const size_t most = size_t{2} * (first_at_[vertex + 1] - first_at_[vertex]);
   if (most > std::size(few)) {
@@ -93,20 +120,30 @@ void NearList<D>::add_features_at(uint32_t vertex) {
     }
   }
   dsw::sort(others, others + count);
+  // Both sides of a triangle are listed, or one. In each fan of a ring with both sides are all of its triangles.
+  const size_t listed = count;
+  bool is_twice = listed % 2 == 0;
+  for (size_t i = 0; is_twice && i < listed; i += 2) is_twice = others[i] == others[i + 1];
   count = static_cast<size_t>(std::unique(others, others + count) - others);
+  is_twice = is_twice && 2 * count == listed;
+  const WallFeature& any = obstacles_[at_[first_at_[vertex]]];
+  const bool is_of_body = !any.facet.valid() && !any.cell.valid(), is_even = is_of_body || is_twice || count == listed;
+  const bool is_plain =
+      is_of_body || count == 0 || (is_even && (D == 2 ? count <= 2 : is_ring(others, others + count, is_twice)));
   for (size_t i = 0; i < count; ++i) {
     if (i == 0 || others[i].first != others[i - 1].first) around_.push_back(others[i].first);
   }
-  features_.push_back({{vertex, kNone, kNone}, 1, first, static_cast<uint32_t>(around_.size())});
+  features_.push_back({{vertex, kNone, kNone}, 1, first, static_cast<uint32_t>(around_.size()), !is_plain});
   for (size_t i = 0, end = 0; i < count; i = end) {
     const uint32_t other = others[i].first;
     for (end = i; end < count && others[end].first == other;) ++end;
     if (other < vertex) continue;
     const auto begin = static_cast<uint32_t>(around_.size());
     for (size_t k = i; k < end && others[k].second != kNone; ++k) around_.push_back(others[k].second);
-    edges_.push_back({{vertex, other, kNone}, 2, begin, static_cast<uint32_t>(around_.size())});
+    const bool has_fans = !is_even || (!is_of_body && end - i > 2);
+    edges_.push_back({{vertex, other, kNone}, 2, begin, static_cast<uint32_t>(around_.size()), has_fans});
     for (size_t k = i; k < end && others[k].second != kNone; ++k) {
-      if (others[k].second > other) triangles_.push_back({{vertex, other, others[k].second}, 3, begin, begin});
+      if (others[k].second > other) triangles_.push_back({{vertex, other, others[k].second}, 3, begin, begin, false});
     }
   }
 }

@@ -13,6 +13,7 @@ struct NearFeature {
   uint32_t corners[3];  // the first `count`, ascending
   uint32_t count;
   uint32_t around, around_end;  // see NearList::around
+  bool has_fans;                // walls may part the cells at it into fans that have different obstacles (PassableFan)
 };
 
 /** Whether an obstacle has all corners of a feature. */

@@ -78,14 +78,14 @@ bool PairSearch<D>::are_inside(const Part<D>& part, const NearFeature& f) const 
 // Let x be the point of the part and y that of the feature. A vertex z of an obstacle comes closer if
 // (z - y).(x - y) > 0. Any corner of the feature may stand for y, since the feature is perpendicular to x - y.
 template <int D>
-bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, const Part<D>& part,
-                                     const NearFeature& f) noexcept {
-  if (f.around == f.around_end) return true;
+bool PairSearch<D>::is_local_minimum(const Part<D>& part, const NearFeature& f, const uint32_t* around,
+                                     const uint32_t* around_end) const noexcept {
+  if (around == around_end) return true;
   const uint32_t m = part.corners.count;
   const double* const* const p = part.points;
   const double* a[3] = {};
-  corners_of(list, f, a);
-  const Signs<D> signs{is_shifted};
+  corners_of(list_, f, a);
+  const Signs<D> signs{is_shifted_};
   int side = 0;
   if constexpr (D == 3) {
     if (m == 2 && f.count == 2) side = volume_sign({p[0], p[1]}, {a[0], a[1]}, {a[0], p[0]});
@@ -93,7 +93,7 @@ bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, c
   }
   bool is_flat_before = false, is_flat_behind = false;
   const auto comes_closer = [&](uint32_t vertex) {
-    const Arrow z{a[0], list.point(vertex)};
+    const Arrow z{a[0], list_.point(vertex)};
     if (m == 1 && f.count == 1) return signs.dot(z, {a[0], p[0]}) > 0;
     if (m == 1) return signs.lean({a[0], a[1]}, z, {a[0], p[0]}) > 0;
     if (m == 2 && f.count == 1) return lean_sign<D>({p[0], p[1]}, z, {p[0], a[0]}) < 0;
@@ -110,7 +110,22 @@ bool PairSearch<D>::is_local_minimum(const NearList<D>& list, bool is_shifted, c
     }
     return false;
   };
-  return dsw::none_of(list.around(f), list.around_end(f), comes_closer) && !(is_flat_before && is_flat_behind);
+  return dsw::none_of(around, around_end, comes_closer) && !(is_flat_before && is_flat_behind);
+}
+
+template <int D>
+bool PairSearch<D>::is_least_in_fan(const Part<D>& part, PassableFan<D>& fan, const NearPair<D>& pair) const {
+  const NearFeature& f = pair.feature;
+  Array<uint32_t> around(env_.memory);
+  list_.for_each_obstacle(f, [&](uint32_t i) {
+    const WallFeature& o = list_.obstacles()[i];
+    if (!fan.reaches(cell_at(o))) return;
+    for (uint32_t k = 0; k < o.count; ++k) {
+      if (dsw::find(f.corners, f.corners + f.count, o.vertices[k]) == f.corners + f.count)
+        around.push_back(o.vertices[k]);
+    }
+  });
+  return is_local_minimum(part, f, around.begin(), around.end());
 }
 
 template <int D>
@@ -138,7 +153,6 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   };
   uint32_t found = kNone;
   double most = 0;
-  const auto cell_at = [&](const WallFeature& o) { return o.facet.valid() ? map.cell_of(o.facet) : o.cell; };
   const auto offer = [&](uint32_t i) {
     const WallFeature& o = list_.obstacles()[i];
     if (!o.facet.valid()) {

@@ -20,6 +20,7 @@ struct NearPair {
   double normal[3] = {};   // unit, from the obstacle to the part
   bool has_normal = true;  // else the points are too close to tell it, and find_wall may have a better one
   double distance = 0;
+  bool is_least = true;       // nothing comes closer that is listed, of whichever fan
   HalfFacet wall;             // an impassable facet at the obstacle, see find_wall; else invalid
   bool is_wall_seen = false;  // the point is on the passable side of its triangle
   Cell cell;                  // a cell with the obstacle from which the part is seen
@@ -35,16 +36,17 @@ class PairSearch {
              double reach) noexcept
       : env_(env), list_(list), near_(near), is_shifted_(is_shifted), reach_(reach), far_(reach * (1 + 0x1p-20)) {}
 
-  /** Calls visit(pair), without a wall, for the pairs with features for which accept(feature) is true. `place` of the part in the simplex
-   * that was selected for. */
+  /** Calls visit(pair), without a wall, for the pairs with features for which accept(feature) is true, and for those that
+   * is_least_in_fan has to tell. `place` of the part in the simplex that was selected for. */
   template <class Accept, class Visit>
   void find(const Part<D>& part, uint32_t place, Accept accept, Visit visit) const {
     for (const uint32_t* i = near_.features(place); i != near_.features_end(place); ++i) {
       const NearFeature& f = list_.features()[*i];
       if (is_far(part, f) || !accept(f)) continue;
-      if (!are_inside(part, f) || !is_local_minimum(list_, is_shifted_, part, f)) continue;
+      if (!are_inside(part, f)) continue;
       NearPair<D> pair;
-      if (measure(part, f, pair)) visit(pair);
+      pair.is_least = is_local_minimum(part, f, list_.around(f), list_.around_end(f));
+      if ((pair.is_least || f.has_fans) && measure(part, f, pair)) visit(pair);
     }
   }
   /** Finds for a pair with the environment what it is told by: the facet with its feature that makes the least angle with
@@ -52,12 +54,16 @@ class PairSearch {
    * what is in the fan of cells at the end of the way counts, so what else is in the list does not matter. The facet's
    * normal serves where the points are too close. False: the fan has no obstacle there. Throws std::bad_alloc. */
   bool find_wall(PassableFan<D>& fan, NearPair<D>& pair) const;
-  /** Whether no obstacle of a list that has a feature comes closer to a part. The nearest points have to be unique and
-   * inside of both. Exact. */
-  static bool is_local_minimum(const NearList<D>& list, bool is_shifted, const Part<D>& part,
-                               const NearFeature& f) noexcept;
+  /** Whether no obstacle in the fan of cells at the end of the way comes closer. Where volumes overlap, one of another fan may.
+   * Throws std::bad_alloc. */
+  bool is_least_in_fan(const Part<D>& part, PassableFan<D>& fan, const NearPair<D>& pair) const;
 
  private:
+  /** Whether none of some vertices of obstacles that have a feature comes closer to a part. The nearest points have to be
+   * unique and inside of both. Exact. */
+  bool is_local_minimum(const Part<D>& part, const NearFeature& f, const uint32_t* around,
+                        const uint32_t* around_end) const noexcept;
+  Cell cell_at(const WallFeature& o) const noexcept { return o.facet.valid() ? env_.map.cell_of(o.facet) : o.cell; }
   /** Whether doubles tell that a pair is beyond reach, or that its nearest points lie outside. */
   bool is_far(const Part<D>& part, const NearFeature& f) const noexcept;
   /** Whether the nearest points of a part and a feature are unique and lie inside of both. Exactly. */

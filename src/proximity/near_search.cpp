@@ -121,6 +121,7 @@ void NearSearch<D>::find_walls(double reach, Array<FoundPair<D>>& found) {
             const Cell end = look(part, view.list, pair);
             if (!end.valid()) return;
             PassableFan<D> fan(env_, end, pair.obstacle_vertices, pair.feature.count, cells_);
+            if (!pair.is_least && !search.is_least_in_fan(part, fan, pair)) return;
             if (search.find_wall(fan, pair)) found.push_back({pair, kNone});
           });
     });

@@ -153,5 +153,43 @@ TEST_F(OverlapTest, AWallOfAVolumeThatIsNotOnTheWayHidesNothing) {
   EXPECT_EQ(obstacles, (std::set<std::vector<int>>{{0, 4}}));
 }
 
+/// Two polygons that overlap at vertex 0, from where a wall leads past vertex 1 to vertex 8. Beyond it a way leads from one side to
+/// the other. So if the margin is large, the side of the lower polygon is listed that lies in the upper one, and comes closer to
+/// the point than vertex 0.
+TEST(NearFansOfPlaneTest, NothingComesCloserOfAnotherFan) {
+  const std::vector<double> points = {0,     0,    1,  0, 1,  1, -1.5, 1,  -0.75, -0.75, 1,  -1, -1, -0.5,
+                                      -0.75, -1.5, 20, 0, 20, 1, 20,   -1, 21,    0,     21, 1,  21, -1};
+  const std::vector<int32_t> corners = {0, 1, 2,  3, 4, 0, 6,  7,  5, 1,  1,  8,  9,
+                                        2, 5, 10, 8, 1, 8, 11, 12, 9, 10, 13, 11, 8},
+                             offsets = {0, 5, 10, 14, 18, 22, 26};
+  dsw_environment_desc desc = uniform_desc(2, DSW_CELL_TYPE_TRIANGLE, 3, points, corners);
+  const std::vector<uint8_t> types(6, DSW_CELL_TYPE_POLYGON);
+  desc.cell_types = types.data();
+  desc.volume_count = types.size();
+  desc.offsets = offsets.data();
+  const EnvironmentPtr environment = create_from(desc);
+  ASSERT_NE(environment, nullptr);
+  for (const uint32_t above : {0u, 2u}) {
+    dsw_volume_id volume;
+    ASSERT_EQ(dsw_environment_get_volume_id(environment.get(), above, &volume), DSW_STATUS_OK);
+    const dsw_face_id wall{volume.index, volume.generation, 0};
+    ASSERT_EQ(dsw_environment_mark_faces(environment.get(), &wall, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  }
+  const ScenePtr scene = make_scene(environment.get());
+  const double at[2] = {-0.2, 0.3};
+  for (const double margin : {0.5, 40.0}) {
+    dsw_body_desc point = defaults(dsw_body_desc_init);
+    point.positions = at;
+    point.vertex_count = 1;
+    dsw_body_id body;
+    ASSERT_EQ(dsw_body_create(scene.get(), &point, &body), DSW_STATUS_OK) << dsw_last_error_message();
+    std::set<std::vector<int>> obstacles;
+    for (const dsw_near_row& row : find_rows(scene.get(), body, margin, 0))
+      obstacles.insert(used(row.obstacle_vertices));
+    EXPECT_EQ(obstacles.count({0}), 1u) << "margin " << margin;
+    EXPECT_EQ(obstacles.count({0, 6}), 0u) << "margin " << margin;
+  }
+}
+
 }  // namespace
 }  // namespace dsw::oracle

@@ -140,8 +140,9 @@ TEST_P(NearSightTest, AreAllThatAreSeenFromWhatTouchesWalls) {
     if (place.environment == nullptr && may_be_refused(mesh)) continue;
     ASSERT_PLACE(place);
     const Obstacles obstacles(place, rng);
-    check_touching(place.get(), near_scene(place, obstacles), place.world->size, of_each, rng, tally,
-                   is_warped && place.world->outer_boundary_crosses() ? &place : nullptr);
+    const bool overlaps = is_warped && place.world->outer_boundary_crosses();
+    check_touching(place.get(), near_scene(place, obstacles, overlaps), place.world->size, of_each, rng, tally,
+                   overlaps ? &place : nullptr);
     if (HasFailure()) return record(tally);
   }
   record(tally);

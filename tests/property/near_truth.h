@@ -17,6 +17,11 @@ class NearTruth {
  public:
   using Ids = std::vector<int>;  // of points, ascending
 
+  /// Passable volumes at an obstacle that can be reached from each other through passable triangles there.
+  struct Fan {
+    std::vector<size_t> volumes;
+    Ids neighbours;  // the other vertices of obstacles at these volumes that hold the obstacle
+  };
   /// What is near, and what hides it: triangles are walls, in the plane segments are.
   struct Scene {
     int dimension = 3;
@@ -25,8 +30,11 @@ class NearTruth {
     std::vector<Vec> wall_points;
     std::vector<Ids> walls;
     bool is_shifted = true;  // by Simulation of Simplicity: of the environment
-    /// The triangles of each passable volume. Only needed if walls with other points lie in one place.
+    /// The triangles of each passable volume. Only needed if walls with other points lie in one place, or with `fans`.
     std::vector<std::vector<Ids>> volumes;
+    /// Of each obstacle. Only needed where volumes overlap: else what is nearest in the fan in which a way ends is nearest
+    /// of all.
+    std::map<Ids, std::vector<Fan>> fans;
   };
   enum class Sight { kClear, kHidden };
   struct Row {
@@ -34,6 +42,7 @@ class NearTruth {
     std::array<double, 3> point, obstacle_point;
     std::vector<double> weights, obstacle_weights;
     Sight sight;
+    bool is_in_all = true;  // of several fans in which the way ends, it is nearest in each
   };
   /// By the obstacle's vertices.
   using Rows = std::map<Ids, Row>;
@@ -272,12 +281,12 @@ class NearTruth {
       is_inside = solve(pair.p, pair.a, pair.nearest, tie);
       is_least = is_inside && is_minimum(pair.nearest, pair.p, pair.a, pair.beside, tie);
     }
-    if (!is_inside || !is_least) return false;
+    if (!is_inside) return false;
     const Nearest& nearest = pair.nearest;
     const Z3 way = minus(nearest.x, nearest.y);
     const Z over = nearest.over << static_cast<unsigned>(power);
     row.distance = root(dot(way, way), over * over);
-    if (row.distance > asked.limit) return false;
+    if (row.distance > asked.limit || !(is_least || is_least_in_fan(asked, ids, row))) return false;
     for (size_t k = 0; k < 3; ++k) {
       row.point[k] = ratio(nearest.x[k], over);
       row.obstacle_point[k] = ratio(nearest.y[k], over);
@@ -286,6 +295,30 @@ class NearTruth {
     for (const Z& w : nearest.t) row.obstacle_weights.push_back(ratio(w, nearest.over));
     row.sight = is_hidden(asked, ids, neighbours, pair, power, row) ? Sight::kHidden : Sight::kClear;
     return true;
+  }
+
+  /// Whether there is a fan in which the way ends, and nothing of it comes closer.
+  bool is_least_in_fan(const Asked& asked, const Ids& ids, Row& row) const {
+    const auto found = scene_.fans.find(ids);
+    if (found == scene_.fans.end()) return false;
+    const bool is_vertex = asked.part.size() == 1;
+    std::vector<bool> is_least;
+    for (const Fan& fan : found->second) {
+      Pair pair =
+          is_vertex ? shifted_pair(asked, ids, fan.neighbours) : pair_of(asked, ids, fan.neighbours, asked.power);
+      bool tie = false;
+      if (!is_vertex) solve(pair.p, pair.a, pair.nearest, tie);
+      is_least.push_back(is_minimum(pair.nearest, pair.p, pair.a, pair.beside, tie));
+    }
+    if (std::count(is_least.begin(), is_least.end(), true) == 0) return false;
+    const Nearest way = shifted_pair(asked, ids, {}).nearest;
+    bool is_one = false;
+    for (size_t i = 0; i < is_least.size(); ++i) {
+      if (!arrives(asked, way, ids, &found->second[i].volumes)) continue;
+      is_one = is_one || is_least[i];
+      row.is_in_all = row.is_in_all && is_least[i];
+    }
+    return is_one;
   }
 
   /// Whether a wall stands between both points. Walls that have the whole obstacle end at it.
@@ -310,7 +343,7 @@ class NearTruth {
       if (past == Past::kThrough) return true;
       ends_at_other = ends_at_other || past == Past::kOpen;
     }
-    return ends_at_other && !scene_.volumes.empty() && !arrives(asked, shifted.nearest, ids);
+    return ends_at_other && scene_.fans.empty() && !scene_.volumes.empty() && !arrives(asked, shifted.nearest, ids);
   }
 
   /// Whether a segment passes a wall. Open: at least one of its ends or the wall's rim is touched.
@@ -335,15 +368,16 @@ class NearTruth {
     return at_x * at_y < 0 && least * most > 0 ? Past::kThrough : Past::kOpen;
   }
 
-  /// Whether the segment comes to its end through a volume that has the obstacle.
-  bool arrives(const Asked& asked, const Nearest& nearest, const Ids& ids) const {
+  /// Whether the segment comes to its end through a volume that has the obstacle; `only`: through one of these.
+  bool arrives(const Asked& asked, const Nearest& nearest, const Ids& ids,
+               const std::vector<size_t>* only = nullptr) const {
     const auto bits = static_cast<unsigned>(asked.tiny());
     Z3 before = times((Z(1) << bits) - 1, nearest.y);
     for (size_t k = 0; k < 3; ++k) before[k] += nearest.x[k];
     Nearest ray{{}, {}, nearest.over << bits, before, before};
     const Z far = ray.over << static_cast<unsigned>(asked.size + asked.fine_power() + 4);
     for (size_t k = 0; k < static_cast<size_t>(scene_.dimension); ++k) ray.y[k] += far * std::array{1009, 613, 389}[k];
-    return std::any_of(scene_.volumes.begin(), scene_.volumes.end(), [&](const std::vector<Ids>& triangles) {
+    const auto is_in = [&](const std::vector<Ids>& triangles) {
       const auto is_there = [&](int v) {
         return std::any_of(triangles.begin(), triangles.end(), [&](const Ids& each) { return has(each, v); });
       };
@@ -355,7 +389,9 @@ class NearTruth {
                            }) %
                  2 ==
              1;
-    });
+    };
+    if (only == nullptr) return std::any_of(scene_.volumes.begin(), scene_.volumes.end(), is_in);
+    return std::any_of(only->begin(), only->end(), [&](size_t volume) { return is_in(scene_.volumes[volume]); });
   }
 
   /// A vertex, edge or triangle of obstacles.
