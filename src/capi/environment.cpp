@@ -69,7 +69,7 @@ class Creation {
   Creation(dsw_context* context, const dsw_environment_desc& input, dsw::BuildReport& found)
       : context_(context), input_(input), found_(found) {
     owner_ = capi::make_environment(context_, D);
-    read_mesh(engine(), input_, found_);
+    read_mesh(engine(), input_, found_, owner_->parallel);
   }
   dsw::Environment<D>& engine() { return std::get<dsw::Environment<D>>(owner_->engine); }
   capi::EnvironmentOwner& owner() { return owner_; }
@@ -87,13 +87,13 @@ class Creation {
       meshes_.push_back(std::move(mesh));
     }
   }
-  void finish() { finish_mesh(engine(), input_, found_); }
+  void finish() { finish_mesh(engine(), input_, found_, owner_->parallel); }
 
  private:
   void read_anew(const dsw_environment_desc& made, const dsw::Array<uint32_t>& parents) {
     capi::EnvironmentOwner next = capi::make_environment(context_, D);
     auto& env = std::get<dsw::Environment<D>>(next->engine);
-    read_mesh(env, made, found_);
+    read_mesh(env, made, found_, owner_->parallel);
     env.parents.assign(parents.begin(), parents.end());
     owner_ = std::move(next);
   }

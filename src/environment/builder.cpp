@@ -1,6 +1,7 @@
 #include "environment/builder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "base/dimensions.h"
@@ -72,10 +73,18 @@ template <int D>
 }
 
 template <int D>
-void link_facets(Environment<D>& env, size_t open_sides, BuildReport& report) {
+void link_facets(Environment<D>& env, size_t open_sides, BuildReport& report, const Parallel& parallel) {
   Offenders offenders;
-  const MatchDefect defect = match_facets(env, offenders, open_sides);
+  const MatchDefect defect = match_facets(env, offenders, open_sides, parallel);
   if (defect != MatchDefect::kNone) fail_match(env, defect, offenders, report);
+}
+
+/** Notes whether a cell is convex. */
+template <int D>
+void note_state(Map<D>& map, Cell c, CellState state) noexcept {
+  uint32_t& word0 = map.record(c)[0];
+  if (form_of(word0) == Form::kSimplex) return;
+  word0 = state == CellState::kValidConvex ? word0 | kConvexBit : word0 & ~kConvexBit;
 }
 
 /** Looks at all cells and notes which are convex. A cell that fails gets its facets cut anew, which can spoil a cell seen
@@ -86,10 +95,7 @@ void look_at_cells(Environment<D>& env, BuildReport& report, const Settle& settl
   Array<Cell> changed{env.memory};
   const auto note = [&](Cell c, CellState state) {
     settle(c, state);
-    uint32_t& word0 = map.record(c)[0];
-    if (map.form(c) != Form::kSimplex) {
-      word0 = state == CellState::kValidConvex ? word0 | kConvexBit : word0 & ~kConvexBit;
-    }
+    note_state(map, c, state);
   };
   for (uint32_t i = 0; i < map.cell_count; ++i) {
     const Cell c = map.cell(i);
@@ -109,9 +115,33 @@ void look_at_cells(Environment<D>& env, BuildReport& report, const Settle& settl
   }
 }
 
+/** Looks at all cells side by side and notes which are convex. False: some are not valid, and all have to be looked at
+ * again in their order. */
+template <int D>
+bool are_all_valid(Environment<D>& env, BuildReport& report, const Parallel& parallel) {
+  Map<D>& map = env.map;
+  std::atomic<uint32_t> convex{0};
+  std::atomic<bool> are_valid{true};
+  auto look = [&](size_t begin, size_t end) noexcept {
+    uint32_t count = 0;
+    for (size_t i = begin; i < end && are_valid.load(std::memory_order_relaxed); ++i) {
+      const Cell c = map.cell(static_cast<uint32_t>(i));
+      const CellState state = check_cell(env, c);
+      if (state == CellState::kInverted || state == CellState::kInvalid) are_valid = false;
+      count += state == CellState::kValidConvex ? 1u : 0u;
+      note_state(map, c, state);
+    }
+    convex += count;
+  };
+  parallel_chunks(parallel, map.cell_count, kCellsAtOnce, look);
+  if (are_valid) report.convex_volume_count = convex;
+  return are_valid;
+}
+
 /** Throws unless all cells are valid. */
 template <int D>
-void validate(Environment<D>& env, bool was_split, BuildReport& report) {
+void validate(Environment<D>& env, bool was_split, BuildReport& report, const Parallel& parallel) {
+  if (is_shared(env.map, parallel) && are_all_valid(env, report, parallel)) return;
   Offenders inverted, invalid;
   look_at_cells(env, report, [&](Cell c, CellState state) {
     if (state == CellState::kInverted) inverted.add(env.map.index(c));
@@ -180,6 +210,45 @@ TreeUse tree_use(uint32_t flags) {
   return (flags & DSW_ENVIRONMENT_LOCATE_TREE) != 0 ? TreeUse::kAtOnce : TreeUse::kAtNeed;
 }
 
+/** Joins cells that have a passable or impassable facet in common. @return how many sets there are. */
+template <int D>
+uint32_t join_parts(const Map<D>& map, DisjointSets& parts) noexcept {
+  uint32_t count = map.cell_count;
+  for_each_cell(map, [&](Cell c) {
+    const uint32_t i = map.index(c);
+    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
+      const HalfFacet o = map.opposite(map.half_facet(c, f));
+      if (!o.valid()) continue;
+      const uint32_t j = map.index(map.cell_of(o));
+      if (j < i && parts.join(i, j)) --count;
+    }
+  });
+  return count;
+}
+
+/** Sets the box of the vertices that cells have. @param used a bit for each, all 0. @return how many no cell has. */
+template <int D>
+uint32_t enclose_used(Environment<D>& env, Array<uint64_t>& used) noexcept {
+  const Map<D>& map = env.map;
+  for_each_cell(map,
+                [&](Cell c) { map.for_each_vertex(c, [&](uint32_t v) { used[v / 64] |= uint64_t{1} << v % 64; }); });
+  bool any = false;
+  uint32_t unused = 0;
+  for (uint32_t v = 0; v < map.vertex_count; ++v) {
+    if ((used[v / 64] >> (v % 64) & 1) == 0) {
+      ++unused;
+      continue;
+    }
+    for (int k = 0; k < D; ++k) {
+      const double x = env.point(v)[k];
+      env.lower[k] = any ? std::min(env.lower[k], x) : x;
+      env.upper[k] = any ? std::max(env.upper[k], x) : x;
+    }
+    any = true;
+  }
+  return unused;
+}
+
 template <int D>
 void check_boundary(const Environment<D>& env, Offenders& offenders) {
   if (!boundary_crosses(env, &offenders)) return;
@@ -206,16 +275,16 @@ dsw_environment_desc check_description(dsw_environment_desc d) {
 }
 
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Parallel& parallel) {
   read_points(env, input, report);
-  read_cells(env, input, report);
+  read_cells(env, input, report, parallel);
   if ((input.flags & DSW_ENVIRONMENT_REORIENT) != 0) reorient(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report);
-  link_facets(env, kAllSides, report);
+  link_facets(env, kAllSides, report, parallel);
 }
 
 template <int D>
 void replace_cells(Environment<D>& env, const ReplacedCells<D>& cells, BuildReport& report) {
-  link_facets(env, rewrite_records(env, cells, report), report);
+  link_facets(env, rewrite_records(env, cells, report), report, kOneThread);
 }
 
 template <int D>
@@ -234,11 +303,12 @@ Array<Cell> find_invalid(Environment<D>& env) {
 }
 
 template <int D>
-void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
-  validate(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report);
+void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+                 const Parallel& parallel) {
+  validate(env, (input.flags & DSW_ENVIRONMENT_SPLIT) != 0, report, parallel);
   if (input.regions != nullptr) env.regions.assign(input.regions, input.regions + input.volume_count);
   if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.volume_count);
-  finish_topology(env, &report);
+  finish_topology(env, &report, parallel);
   env.index.set_use(tree_use(input.flags));
   if (env.index.use() == TreeUse::kAtOnce) env.index.build(env);
   if ((input.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, report.offenders);
@@ -263,42 +333,21 @@ void prove(const Environment<D>& env, BuildReport& report) {
 
 template <int D>
 uint32_t count_parts(const Environment<D>& env) {
-  const Map<D>& map = env.map;
-  DisjointSets parts(map.index_count(), env.memory);
-  uint32_t count = map.cell_count;
-  for_each_cell(map, [&](Cell c) {
-    const uint32_t i = map.index(c);
-    for (uint32_t f = 0, facets = map.facets_of(c); f < facets; ++f) {
-      const HalfFacet o = map.opposite(map.half_facet(c, f));
-      if (!o.valid()) continue;
-      const uint32_t j = map.index(map.cell_of(o));
-      if (j < i && parts.join(i, j)) --count;
-    }
-  });
-  return count;
+  DisjointSets parts(env.map.index_count(), env.memory);
+  return join_parts(env.map, parts);
 }
 
 template <int D>
-void finish_topology(Environment<D>& env, BuildReport* report) {
-  const Map<D>& map = env.map;
-  env.part_count = count_parts(env);
-  Array<uint64_t> used((size_t{map.vertex_count} + 63) / 64, 0, env.memory);
-  for_each_cell(map,
-                [&](Cell c) { map.for_each_vertex(c, [&](uint32_t v) { used[v / 64] |= uint64_t{1} << v % 64; }); });
-  bool any = false;
+void finish_topology(Environment<D>& env, BuildReport* report, const Parallel& parallel) {
+  DisjointSets parts(env.map.index_count(), env.memory);
+  Array<uint64_t> used((size_t{env.map.vertex_count} + 63) / 64, 0, env.memory);
   uint32_t unused = 0;
-  for (uint32_t v = 0; v < map.vertex_count; ++v) {
-    if ((used[v / 64] >> (v % 64) & 1) == 0) {
-      ++unused;
-      continue;
-    }
-    for (int k = 0; k < D; ++k) {
-      const double x = env.point(v)[k];
-      env.lower[k] = any ? std::min(env.lower[k], x) : x;
-      env.upper[k] = any ? std::max(env.upper[k], x) : x;
-    }
-    any = true;
-  }
+  // Two tasks: neither writes what the other one reads.
+  auto body = [&](size_t begin, size_t end) noexcept {
+    if (begin == 0) env.part_count = join_parts(env.map, parts);
+    if (end == 2) unused = enclose_used(env, used);
+  };
+  parallel_chunks(is_shared(env.map, parallel) ? parallel : kOneThread, 2, 1, body);
   if (report != nullptr) report->unused_point_count = unused;
 }
 

@@ -22,6 +22,15 @@ struct Offenders {
 template <int D>
 struct ReplacedCells;
 
+constexpr Parallel kOneThread{nullptr, nullptr, 1};
+constexpr size_t kCellsAtOnce = size_t{1} << 14;  // that one thread takes
+
+/** Whether work on the cells of a map is shared out. */
+template <int D>
+bool is_shared(const Map<D>& map, const Parallel& parallel) {
+  return map.cell_count >= 4 * kCellsAtOnce && (parallel.run != nullptr || parallel.thread_count > 1);
+}
+
 struct BuildReport {
   Offenders offenders;
   uint32_t reoriented_count = 0, unused_point_count = 0, convex_volume_count = 0;
@@ -45,9 +54,10 @@ dsw_environment_desc check_description(dsw_environment_desc desc);
 
 /** Fills an empty environment from a description that was checked: points, cells, and links of their facets. Throws Error
  * (and leaves the environment useless) on the first kind of defect found, with the first offenders of that kind in the report.
- * Order of checks: sizes, points finite, cells well-formed, facets matched. */
+ * Order of checks: sizes, points finite, cells well-formed, facets matched. `parallel` shares the work out. */
 template <int D>
-void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void read_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+               const Parallel& parallel = kOneThread);
 
 /** Replaces cells of a mesh that was read, and links the facets of those that change. Throws as read_mesh. */
 template <int D>
@@ -60,7 +70,8 @@ Array<Cell> find_invalid(Environment<D>& env);
 
 /** Proves the cells of a mesh that was read valid, and adds what the description asks for. Throws as read_mesh. */
 template <int D>
-void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report,
+                 const Parallel& parallel = kOneThread);
 
 /** Reads and finishes. */
 template <int D>
@@ -79,6 +90,6 @@ uint32_t count_parts(const Environment<D>& env);
 
 /** Counts the parts connected through facets and sets the box of used vertices; for build and for loading. */
 template <int D>
-void finish_topology(Environment<D>& env, BuildReport* report);
+void finish_topology(Environment<D>& env, BuildReport* report, const Parallel& parallel = kOneThread);
 
 }  // namespace dsw

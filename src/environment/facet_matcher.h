@@ -1,5 +1,5 @@
 #pragma once
-// Links the facets of all cells: expected linear time, one chain of candidates for every vertex.
+// Links the facets of all cells: expected linear time, one chain of sides for every vertex.
 
 #include "environment/builder.h"
 
@@ -13,6 +13,6 @@ constexpr size_t kAllSides = SIZE_MAX;
 /** Links every facet with its opposite, unless it has a link, and counts facets. `open_sides`: how many sides have no link;
  * kAllSides: none has one. Returns the first kind of defect in the order of cells, with its first offenders. */
 template <int D>
-MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_sides);
+MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_sides, const Parallel& parallel);
 
 }  // namespace dsw

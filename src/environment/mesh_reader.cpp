@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -51,8 +52,9 @@ uint32_t cuts_of(Form form, const uint32_t* vertices) {
 template <int D>
 class Reader {
  public:
-  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report)
-      : map_(env.map),
+  Reader(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Parallel& parallel)
+      : parallel_(parallel),
+        map_(env.map),
         in_(input),
         report_(report),
         offsets_(input.offsets, input.index_bytes),
@@ -67,6 +69,8 @@ class Reader {
   void read() {
     scan_types();
     lay_out();
+    const bool are_standard = map_.unit_of_cell.empty() && !splits();
+    if (are_standard && is_shared(map_, parallel_) && read_all_standard()) return;
     for (uint32_t i = 0; i < map_.cell_count; ++i) {
       const Form form = form_of(i);
       if (form == Form::kGeneral) {
@@ -199,30 +203,47 @@ class Reader {
     return merged_.empty() ? static_cast<uint32_t>(point) : merged_[static_cast<size_t>(point)];
   }
 
-  void read_standard(uint32_t i, Form form) {
+  /** Writes the record of a standard cell. False: its points are not such as they have to be. */
+  bool write_standard(uint32_t i, Form form) noexcept {
     const uint32_t n = Map<D>::standard_vertex_count(form);
     const size_t begin = begin_of(i);
     uint32_t vertices[8];
-    const uint32_t offenders = bad_index_.count;
     for (uint32_t k = 0; k < n; ++k) {
-      vertices[k] = checked(i, connectivity_[begin + k]);
-      if (bad_index_.count != offenders) return;
+      const int64_t point = connectivity_[begin + k];
+      if (point < 0 || static_cast<uint64_t>(point) >= map_.vertex_count) return false;
+      vertices[k] = merged_.empty() ? static_cast<uint32_t>(point) : merged_[static_cast<size_t>(point)];
       for (uint32_t j = 0; j < k; ++j) {
-        if (vertices[j] == vertices[k]) {
-          bad_cell_.add(i);
-          return;
-        }
+        if (vertices[j] == vertices[k]) return false;
       }
     }
     uint32_t* w = map_.record(map_.cell(i));
     for (uint32_t k = 0; k < Map<D>::standard_facet_count(form); ++k) w[kUnitWords<D> - 1 - k] = kNoFacet;
     if (form == Form::kSimplex) {
       std::copy(vertices, vertices + n, w);
-      return;
+      return true;
     }
     std::copy(vertices, vertices + n, w + kUnitWords<D>);
     w[0] = static_cast<uint32_t>(form) << kFormShift;
     if (D == 3) w[0] |= cuts_of(form, vertices);
+    return true;
+  }
+  void read_standard(uint32_t i, Form form) {
+    if (write_standard(i, form)) return;
+    const uint32_t offenders = bad_index_.count;
+    for (uint32_t k = 0; k < Map<D>::standard_vertex_count(form); ++k) checked(i, connectivity_[begin_of(i) + k]);
+    if (bad_index_.count == offenders) bad_cell_.add(i);
+  }
+  /** Reads standard cells side by side. False: some are wrong, and all have to be read again in their order. */
+  bool read_all_standard() {
+    std::atomic<bool> are_right{true};
+    auto body = [&](size_t begin, size_t end) noexcept {
+      for (size_t i = begin; i < end; ++i) {
+        const auto cell = static_cast<uint32_t>(i);
+        if (!write_standard(cell, type_of(cell).form)) are_right = false;
+      }
+    };
+    parallel_chunks(parallel_, map_.cell_count, kCellsAtOnce, body);
+    return are_right;
   }
 
   /** Splits a polyhedron into loops of local vertices; false when its face stream is malformed. */
@@ -331,6 +352,7 @@ class Reader {
     if (!general_.write(i, cell_)) bad_cell_.add(i);
   }
 
+  const Parallel& parallel_;
   Map<D>& map_;
   const dsw_environment_desc& in_;
   BuildReport& report_;
@@ -381,8 +403,8 @@ void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildRe
 }
 
 template <int D>
-void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report) {
-  Reader<D>(env, input, report).read();
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Parallel& parallel) {
+  Reader<D>(env, input, report, parallel).read();
 }
 
 template <int D>

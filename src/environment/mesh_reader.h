@@ -45,7 +45,7 @@ void read_points(Environment<D>& env, const dsw_environment_desc& input, BuildRe
 
 /** Writes a record for every cell, links empty. Throws WRONG_SIZE, BAD_CELL_TYPE, INDEX_OUT_OF_RANGE, BAD_CELL, TOO_LARGE. */
 template <int D>
-void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report);
+void read_cells(Environment<D>& env, const dsw_environment_desc& input, BuildReport& report, const Parallel& parallel);
 
 /** Turns a cell inside out by renumbering its vertices; before its facets are matched. */
 template <int D>

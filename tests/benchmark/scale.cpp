@@ -143,8 +143,13 @@ Figures run_size(std::size_t cells, const std::string& suffix, const Options& op
   }
   const std::size_t rounds = options.quick ? 5 : 9;
   std::unique_ptr<World> world;
-  report.set("scale.create_ns_per_tet" + suffix,
-             cpu_time_ns([&] { world = std::make_unique<World>(mesh, 1); }) / count);
+  const double on_two = time_ns([&] { world = std::make_unique<World>(mesh, 2); });
+  world.reset();
+  const double on_one = time_ns([&] {
+    report.set("scale.create_ns_per_tet" + suffix,
+               cpu_time_ns([&] { world = std::make_unique<World>(mesh, 1); }) / count);
+  });
+  report.set("scale.create_threads2_over_1" + suffix, on_two / on_one);
   Figures figures;
   figures.cast_ns = cast_ns(*world, mesh, rounds);
   report.set("scale.cast_ns" + suffix, figures.cast_ns);

@@ -48,9 +48,9 @@ struct MeshData {
     cell(kPolyhedron, stream);
   }
 
-  /** Throws what creation throws. */
+  /** Valid as long as this mesh stays as it is. Throws what creation throws. */
   template <int D>
-  void build_into(Environment<D>& env, BuildReport& report) const {
+  dsw_environment_desc description() const {
     dsw_environment_desc input{};
     input.points = points.data();
     input.point_count = points.size() / D;
@@ -61,7 +61,12 @@ struct MeshData {
     input.connectivity_count = connectivity.size();
     input.regions = regions.empty() ? nullptr : regions.data();
     input.tags = tags.empty() ? nullptr : tags.data();
-    dsw::build(env, check_description<D>(input), report);
+    return check_description<D>(input);
+  }
+  /** Throws what creation throws. */
+  template <int D>
+  void build_into(Environment<D>& env, BuildReport& report) const {
+    dsw::build(env, description<D>(), report);
   }
 };
 
