@@ -10,8 +10,9 @@ import subprocess
 import sys
 
 DT = 0.01
-OURS = {"catheter": 400, "thread_post": 300, "beating": 300, "rest": 400, "stop": 60, "carve": 600}
-THEIRS = {"catheter_min_distance": 5}  # with Tight-Inclusion positions are not numbers after the first step
+OURS = {"catheter": 400, "catheter_fine": 100, "thread_post": 300, "beating": 300, "rest": 400, "stop": 60, "carve": 600}
+THEIRS = {"catheter_min_distance": 100, "catheter_fine_min_distance": 40, "catheter_tight_inclusion": 40, "catheter_fine_tight_inclusion": 40}
+FAST = {"catheter_fine", *THEIRS}  # the wire is pushed at 52 mm/s, so it meets the wall
 
 
 class Failed(Exception):
@@ -60,11 +61,14 @@ def check_energy(name, watched, from_step):
 def check(name, numbers, watched, steps):
     must(numbers["errors"] == 0, f"{name}: {numbers['errors']} messages of error")
     if name in THEIRS:
+        must(numbers["check.steps"] == steps and numbers["check.length"] > 5, f"{name}: the wire is not fed")
         return
     if "check.steps" in numbers:
         must(numbers["check.steps"] == steps, f"{name}: {numbers['check.steps']} of {steps} steps were checked")
         must(numbers["check.notFree"] == 0, f"{name}: not free after {numbers['check.notFree']} steps")
     must(numbers["body.notFree"] == 0, f"{name}: {numbers['body.notFree']} moves failed")
+    if name == "catheter_fine":
+        must(numbers["check.touching"] > 0, f"{name}: the wire does not meet the wall")
     if name == "carve":
         must(numbers["carver.carved"] > 50, f"carve: only {numbers['carver.carved']} tetrahedra are carved")
         must(numbers["environment.removed"] == numbers["carver.carved"], "carve: the environment does not follow the topology")
@@ -82,9 +86,10 @@ def main(program, plugin, scenes, times=1):
     faults, ran = [], 0
     for name, steps in {**OURS, **THEIRS}.items():
         steps *= int(times)
-        watch = ["--watch", "points.position", "--watch", "points.velocity"] if name in ("stop", "rest") else []
+        more = ["--watch", "points.position", "--watch", "points.velocity"] if name in ("stop", "rest") else []
+        more += ["--set", "controller.speed=52"] if name in FAST else []
         try:
-            numbers, watched = run(program, plugin, pathlib.Path(scenes), name, steps, *watch)
+            numbers, watched = run(program, plugin, pathlib.Path(scenes), name, steps, *more)
             ran += 1
             check(name, numbers, watched, steps)
             print(f"{name}: {json.dumps(numbers)}")
