@@ -112,9 +112,11 @@ TEST(BugReportTest, WhatIsWrongIsNamed) {
     uint32_t v = 0;
     BodyVertex<3>* vertex = nullptr;
     for (BodyRecord<3>& each : dsw::capi::space(*scene_of(replay)).bodies) {
-      if (vertex != nullptr || each.body.edge_slots.alive_count() == 0) continue;
-      while (!each.body.has_vertex(v)) ++v;
-      vertex = &each.body.vertices[v];
+      // At POINTS no edge is looked at.
+      if (vertex != nullptr || !covers_edges(each.body.level)) continue;
+      const size_t count = each.body.vertices.size();
+      for (v = 0; v < count && !(each.body.has_vertex(v) && each.body.vertices[v].first_edge != kNone);) ++v;
+      if (v < count) vertex = &each.body.vertices[v];
     }
     if (vertex == nullptr) continue;
     const BodyVertex<3> kept = *vertex;
