@@ -44,6 +44,13 @@ struct Curve {
     return second;
   }
 
+  // Keeps what is before a time t.
+  void cut(double t) noexcept {
+    for (int round = 1; round < N; ++round) {
+      for (int i = N - 1; i >= round; --i) c[i] = (1 - t) * c[i - 1] + t * c[i];
+    }
+  }
+
   double at(double t) const noexcept {
     double value[N];
     for (int i = 0; i < N; ++i) value[i] = c[i];
@@ -87,18 +94,28 @@ class Search {
   };
   Piece whole;
   // Bounds of errors, for halved pieces, too. root_error is that of volume_at plus what its first differences err by over
-  // four doubles.
-  double volume_error = 0, condition_error = 0, root_error = 0;
+  // most_steps + 1 doubles: so far from a guess of a root the volume is taken as straight.
+  double volume_error = 0, condition_error = 0, root_error = 0, most_steps = 3;
+
+  // What comes after a time in (0,1] is left out. Its digits end at 2^-20, so that the ends of all halves are exact.
+  void end_at(double time) noexcept { end_ = time; }
 
   // The volume in whole is known. Calls find_conditions() once before others are read, and volume_at(time), which returns
   // a dd::Number. For kTouches, *time is that of FirstTouch.
   template <class FindConditions, class VolumeAt>
   Filtered first_touch(FindConditions find_conditions, VolumeAt volume_at, double* time) noexcept {
-    if (whole.volume.sign(volume_error) != 0) return Filtered::kApart;
+    Curve<V + 1> volume = whole.volume;
+    if (end_ < 1) volume.cut(end_);
+    if (volume.sign(volume_error) != 0) return Filtered::kApart;
     find_conditions();
     Piece left[kMostHalvings + 1];
     int count = 0;
     left[count++] = whole;
+    if (end_ < 1) {
+      left[0].high = end_;
+      left[0].volume = volume;
+      for (Curve<C + 1>& condition : left[0].condition) condition.cut(end_);
+    }
     while (count > 0) {
       Piece& piece = left[--count];
       if (piece.volume.sign(volume_error) != 0) continue;
@@ -201,7 +218,7 @@ class Search {
       const double steps = std::floor(-here / (slope * step)), to = guess + steps * step;
       if (!(to >= piece.low && to < piece.high)) return false;
       // Doubles below and above the guess have the same step, unless there is a power of two between them.
-      if (std::fabs(steps) <= 3 && to - guess == steps * step && next(to) - to == step) {
+      if (std::fabs(steps) <= most_steps && to - guess == steps * step && next(to) - to == step) {
         *floor = to;
         return here + slope * (to - guess) < -root_error && here + slope * (to + step - guess) > root_error;
       }
@@ -252,6 +269,7 @@ class Search {
   }
 
   PairKind kind_;
+  double end_ = 1;
 };
 
 }  // namespace touch_search

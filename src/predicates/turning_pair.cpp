@@ -70,19 +70,19 @@ DSW_COLD int compare_by_integers(const TurningPair<D>& a, const TurningPair<D>& 
 }  // namespace
 
 template <int D>
-FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work) {
+FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work, const Asked& asked) {
   if (pair.way[0] == nullptr && pair.way[1] == nullptr) return first_touch(straight(pair), work);
   double time = 0;
-  const Filtered answer = filter_first_touch(pair, &time);
+  const Filtered answer = filter_first_touch(pair, asked, &time);
   if (answer == Filtered::kUnknown) return first_touch_by_integers(pair, work);
   return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
 }
 
 // What the filter is sure of has no ties.
 template <int D>
-FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work) {
+FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work, const Asked& asked) {
   double time = 0;
-  const Filtered answer = filter_first_touch(pair, &time);
+  const Filtered answer = filter_first_touch(pair, asked, &time);
   if (answer == Filtered::kUnknown) return first_entry_by_integers(pair, work);
   return {answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time}};
 }
@@ -94,10 +94,10 @@ int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, co
   return first_a.is_exact && first_b.is_exact ? 0 : compare_by_integers(a, b, work);
 }
 
-template FirstTouch first_touch(const TurningPair<2>&, PairWork*);
-template FirstTouch first_touch(const TurningPair<3>&, PairWork*);
-template FirstEntry first_entry(const TurningPair<2>&, PairWork*);
-template FirstEntry first_entry(const TurningPair<3>&, PairWork*);
+template FirstTouch first_touch(const TurningPair<2>&, PairWork*, const Asked&);
+template FirstTouch first_touch(const TurningPair<3>&, PairWork*, const Asked&);
+template FirstEntry first_entry(const TurningPair<2>&, PairWork*, const Asked&);
+template FirstEntry first_entry(const TurningPair<3>&, PairWork*, const Asked&);
 template int compare_first_touches(const TurningPair<2>&, const FirstTouch&, const TurningPair<2>&, const FirstTouch&,
                                    PairWork*);
 template int compare_first_touches(const TurningPair<3>&, const FirstTouch&, const TurningPair<3>&, const FirstTouch&,

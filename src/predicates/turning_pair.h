@@ -31,8 +31,14 @@ struct TurningPair {
   const TurningWay* way[2];  // of the features, or null
 };
 
+// What a caller knows beforehand.
+struct Asked {
+  double until = 1;      // a touch after this time may be left out
+  bool is_near = false;  // along no axis the features are apart on all of their ways, or hardly ever
+};
+
 template <int D>
-FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work = nullptr);
+FirstTouch first_touch(const TurningPair<D>& pair, PairWork* work = nullptr, const Asked& asked = {});
 
 // When a feature that turns first touches one that stands or goes straight, if the one that turns is shifted: there are no ties then.
 // What the shift leaves open counts as a touch. At time 0 it does not count, and is_open is set.
@@ -41,7 +47,7 @@ struct FirstEntry {
   bool is_open = false;
 };
 template <int D>
-FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work = nullptr);
+FirstEntry first_entry(const TurningPair<D>& pair, PairWork* work = nullptr, const Asked& asked = {});
 
 template <int D>
 int compare_first_touches(const TurningPair<D>& a, const FirstTouch& first_a, const TurningPair<D>& b,

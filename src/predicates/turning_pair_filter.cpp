@@ -8,7 +8,7 @@ namespace dsw {
 namespace {
 
 constexpr double kTurningError = 320 * kUnitRoundoff;
-constexpr double kTurningRootError = 0x1p-88;
+constexpr double kTurningRootError = 0x1p-88, kMostRootSteps = 63;
 
 // A polynomial as the sum of c[i] s^(N-i) t^i with s = 1 - t.
 template <int N>
@@ -101,17 +101,19 @@ class TurningFilter {
     terms_.a_is_first = pair.way[0] != nullptr;
   }
 
-  Filtered first_touch(double* time) noexcept {
+  Filtered first_touch(const Asked& asked, double* time) noexcept {
     if (!find_scale(way_, &scale_[0], &largest_[0])) return Filtered::kUnknown;
     if (kTwo && !find_scale(*pair_.way[1], &scale_[1], &largest_[1])) return Filtered::kUnknown;
     set_terms<Numbers>(
         terms_, [](double start, double end) { return Form<1>(start, end); }, Differences{});
     if (!find_bounds()) return Filtered::kUnknown;
-    if (is_apart_on_axis()) return Filtered::kApart;
+    if (!asked.is_near && is_apart_on_axis()) return Filtered::kApart;
     if (!(volume_bound_ >= 0x1p-400)) return Filtered::kUnknown;
     put(volume_of(terms_), &search_.whole.volume);
     search_.volume_error = kTurningError * volume_bound_;
     search_.root_error = kTurningRootError * volume_bound_;
+    search_.most_steps = kMostRootSteps;
+    search_.end_at(end_after(asked.until));
     return search_.first_touch([this] { find_conditions(); }, [this](double t) { return volume_at(t); }, time);
   }
 
@@ -131,6 +133,12 @@ class TurningFilter {
     *scale = integers::of_bits((std::uint64_t{2046} - (integers::bits_of(most) >> 52)) << 52);
     *largest = *scale * most;
     return true;
+  }
+
+  // A time later than the next double after another one, as the search takes it.
+  static double end_after(double time) noexcept {
+    constexpr double kParts = 0x1p20;
+    return time < 1 - 1 / kParts ? (std::floor(time * kParts) + 1) / kParts : 1;
   }
 
   static void raise(double x, double* bound) noexcept { *bound = std::fabs(x) > *bound ? std::fabs(x) : *bound; }
@@ -156,15 +164,17 @@ class TurningFilter {
     }
   };
 
+  // In space volumes read no other points of A and offsets than the first ones.
   template <class N, class Line, class Make>
   DSW_HOT void set_terms(Terms<N>& terms, Line line, const Make& make) const noexcept {
+    constexpr bool kVolumeOnly = D == 3 && std::is_same_v<N, PreciseNumbers>;
     for (int i = 0; i <= D; ++i) {
       const int at = terms.at(i);
       const bool of_a = terms.is_of_a(i);
       const double *const start = pair_.start[i], *const end = pair_.end[i];
       for (int k = 0; k < D; ++k) {
         if (of_a) {
-          terms.a[at].at[k] = make.difference(start[k], way_.centre[k]);
+          if (at == 0 || !kVolumeOnly) terms.a[at].at[k] = make.difference(start[k], way_.centre[k]);
           terms.given_a[at].at[k] = make.constant(start[k]);
         } else if constexpr (kTwo) {
           terms.b[at].at[k] = make.difference(start[k], pair_.way[1]->centre[k]);
@@ -175,7 +185,8 @@ class TurningFilter {
           } else {
             terms.given_b[at].at[k] = line(start[k], end[k]);
           }
-          terms.offset[at].at[k] = make.difference(way_.place[0][k], start[k], way_.place[1][k], end[k]);
+          if (at == 0 || !kVolumeOnly)
+            terms.offset[at].at[k] = make.difference(way_.place[0][k], start[k], way_.place[1][k], end[k]);
         }
       }
     }
@@ -455,27 +466,29 @@ class ScaledPair {
 };
 
 template <int D>
-Filtered filter_in_range(const TurningPair<D>& pair, double* time) noexcept {
-  if (pair.way[0] != nullptr && pair.way[1] != nullptr) return TurningFilter<D, Other::kTurns>(pair).first_touch(time);
-  if (stands(pair)) return TurningFilter<D, Other::kStands>(pair).first_touch(time);
-  return TurningFilter<D, Other::kGoes>(pair).first_touch(time);
+Filtered filter_in_range(const TurningPair<D>& pair, const Asked& asked, double* time) noexcept {
+  if (pair.way[0] != nullptr && pair.way[1] != nullptr) {
+    return TurningFilter<D, Other::kTurns>(pair).first_touch(asked, time);
+  }
+  if (stands(pair)) return TurningFilter<D, Other::kStands>(pair).first_touch(asked, time);
+  return TurningFilter<D, Other::kGoes>(pair).first_touch(asked, time);
 }
 
 template <int D>
-DSW_COLD Filtered filter_scaled(const TurningPair<D>& pair, double* time) noexcept {
+DSW_COLD Filtered filter_scaled(const TurningPair<D>& pair, const Asked& asked, double* time) noexcept {
   const ScaledPair<D> scaled(pair);
-  return scaled.is_far_from_1() ? filter_in_range(scaled.pair, time) : Filtered::kUnknown;
+  return scaled.is_far_from_1() ? filter_in_range(scaled.pair, asked, time) : Filtered::kUnknown;
 }
 
 }  // namespace
 
 template <int D>
-Filtered filter_first_touch(const TurningPair<D>& pair, double* time) noexcept {
-  const Filtered answer = filter_in_range(pair, time);
-  return answer == Filtered::kUnknown ? filter_scaled(pair, time) : answer;
+Filtered filter_first_touch(const TurningPair<D>& pair, const Asked& asked, double* time) noexcept {
+  const Filtered answer = filter_in_range(pair, asked, time);
+  return answer == Filtered::kUnknown ? filter_scaled(pair, asked, time) : answer;
 }
 
-template Filtered filter_first_touch(const TurningPair<2>&, double*) noexcept;
-template Filtered filter_first_touch(const TurningPair<3>&, double*) noexcept;
+template Filtered filter_first_touch(const TurningPair<2>&, const Asked&, double*) noexcept;
+template Filtered filter_first_touch(const TurningPair<3>&, const Asked&, double*) noexcept;
 
 }  // namespace dsw

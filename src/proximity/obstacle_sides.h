@@ -28,12 +28,19 @@ class ObstacleSides {
     }
     if (count != D) return;
     if constexpr (D == 2) {
-      add(points, turned(unit(difference<D>(points[1], points[0]))));
+      const Vec along = difference<D>(points[1], points[0]), corners[2] = {Vec::Zero(), along};
+      add(corners, turned(unit(along)));
     } else {
-      const Vec normal =
-          unit(unit(difference<D>(points[1], points[0])).cross(unit(difference<D>(points[2], points[0]))));
-      add(points, normal);
-      for (int k = 0; k < 3; ++k) add(points, unit(difference<D>(points[(k + 1) % 3], points[k])).cross(normal));
+      const Vec corners[3] = {Vec::Zero(), difference<D>(points[1], points[0]), difference<D>(points[2], points[0])};
+      const double size = std::max(largest(corners[1]), largest(corners[2]));
+      if (!(size >= kLeast && size <= 1 / kLeast)) return;
+      const double scale = 1 / size;
+      const Vec first = direction(scale * corners[1]), last = direction(-scale * corners[2]);
+      const Vec normal = direction(last.cross(first));
+      add(corners, normal);
+      add(corners, first.cross(normal));
+      add(corners, direction(scale * (corners[2] - corners[1])).cross(normal));
+      add(corners, last.cross(normal));
     }
   }
 
@@ -80,11 +87,20 @@ class ObstacleSides {
     double low, high, side;  // side: the least of the two ends of the side
   };
 
-  void add(const double* const* points, const Vec& normal) noexcept {
+  static constexpr double kLeast = 0x1p-300;
+
+  /** Length 1, of a vector of at most about this length. Zero if it is much shorter: nothing lies beyond such a direction. */
+  static Vec direction(const Vec& a) noexcept {
+    const double square = dot(a, a);
+    return square >= kLeast ? (1 / std::sqrt(square)) * a : Vec::Zero();
+  }
+
+  /** @param corners less the first one. */
+  void add(const Vec* corners, const Vec& normal) noexcept {
     Direction& d = directions_[count_];
     d.normal = normal;
-    double at[D];
-    for (int i = 0; i < D; ++i) at[i] = dot(normal, to_vec<D>(points[i]) - origin_);
+    double at[D] = {};
+    for (int i = 1; i < D; ++i) at[i] = dot(normal, corners[i]);
     d.low = *std::min_element(at, at + D);
     d.high = *std::max_element(at, at + D);
     d.side = count_ == 0 ? 0 : std::min(at[(count_ - 1) % D], at[count_ % D]);

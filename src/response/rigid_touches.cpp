@@ -273,10 +273,11 @@ void RigidTouches<D>::touch(const Part& part, const RigidWay<D>& way, RigidTouch
 template <int D>
 void RigidTouches<D>::ask(const TurningPair<D>& pair, const RigidTouch<D>& touch) {
   FirstEntry first;
+  const Asked asked{first_.touches ? first_.time : 1, true};
   if (touch.partner == kNone) {
-    first = first_entry(pair);
+    first = first_entry(pair, nullptr, asked);
   } else {
-    first.touch = first_touch(pair);
+    first.touch = first_touch(pair, nullptr, asked);
     first.is_open = first.touch.touches && first.touch.time == 0;
     if (first.is_open) first.touch.touches = false;
   }

@@ -10,6 +10,9 @@ namespace dsw {
 /** Finds the gap between a part of a body and what it touches first. */
 template <int D>
 HullGap gap_of(const Body<D>& body, const RigidTouch<D>& touch, double cutoff, double tolerance) noexcept;
+/** Whether that distance is surely not more than some length: by doubles, where lines across both parts show it. */
+template <int D>
+bool is_surely_near(const Body<D>& body, const RigidTouch<D>& touch, double length) noexcept;
 
 /** Adds a contact, without `distance_left`, of a part of a body with what it touches first. Throws std::bad_alloc.
  * @param way of the body.

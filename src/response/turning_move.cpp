@@ -94,11 +94,13 @@ template <int D>
 void TurningMove<D>::approach(Steps& steps, double touch) {
   RigidSteps<Steps> nearer = along(steps);
   const auto is_near = [&] { return is_at_touch(steps.body, kMostGap * way_.unit()); };
-  for (double before = -1; before < steps.at && !is_near();) {
+  bool has_come = is_near();
+  for (double before = -1; before < steps.at && !has_come;) {
     before = steps.at;
     nearer.go_nearer(nearer.end_before(touch), way_.is_coarse() ? 0 : 2 * way_.least_step());
+    if (before < steps.at) has_come = is_near();
   }
-  if (is_near()) return;
+  if (has_come) return;
   // All places just before it: on a flat way the rounding of most of them touches already.
   for (int i = 0; i < 4 * kMostGap; ++i) {
     const double next = nearer.end_before(touch) - 0.25 * i * way_.least_step();
@@ -109,7 +111,8 @@ void TurningMove<D>::approach(Steps& steps, double touch) {
 /** Whether what touches first is that near. */
 template <int D>
 bool TurningMove<D>::is_at_touch(const Body<D>& body, double distance) const {
-  return gap_of(body, touches_.touched(), 2 * distance, distance).distance <= distance;
+  return is_surely_near(body, touches_.touched(), distance) ||
+         gap_of(body, touches_.touched(), 2 * distance, distance).distance <= distance;
 }
 
 /** Tries to go on, and keeps what stops it. Where nothing does, the body is taken back, and what it touches first is kept. */

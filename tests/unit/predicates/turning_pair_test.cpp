@@ -54,6 +54,12 @@ class TurningPairTest : public testing::TestWithParam<AskedTurning> {
       const FirstTouch found = first_touch(c.pair()), truth = true_first_touch(c.pair());
       ASSERT_EQ(found.touches, truth.touches) << c.text();
       ASSERT_EQ(found.time, truth.time) << c.text();
+      for (const double until : {truth.time, 0.75 * truth.time, std::fabs(random_.uniform())}) {
+        const FirstTouch asked = first_touch(c.pair(), nullptr, {until, i % 2 == 0});
+        // A touch up to that time is found, and a later one may be left out.
+        ASSERT_TRUE(asked.touches ? truth.touches : !truth.touches || truth.time > until) << until << c.text();
+        ASSERT_TRUE(!asked.touches || asked.time == truth.time) << until << c.text();
+      }
     }
   }
 
