@@ -246,6 +246,7 @@ list(APPEND dsw_sources
   together/room_steps.cpp
   together/shortened_ways.cpp
   together/start_corridors.cpp
+  together/step_pairs.cpp
   together/step_search.cpp
   together/thick_ways.cpp
   together/together_move.cpp

@@ -30,19 +30,6 @@ uint32_t point_count(PairKind kind, uint32_t side) {
   return side == 0 ? 1 : D;
 }
 
-/** The box of the way of a vertex without what all go, with room for rounding. */
-template <int D>
-Box<D> box_beside_drift(const double* start, const double* reach, const double* drift) noexcept {
-  Box<D> box;
-  for (int k = 0; k < D; ++k) {
-    const double end = reach[k] - drift[k],
-                 room = 0x1p-48 * (std::fabs(start[k]) + std::fabs(reach[k]) + std::fabs(drift[k]));
-    box.lower[k] = std::min(start[k], end) - room;
-    box.upper[k] = std::max(start[k], end) + room;
-  }
-  return box;
-}
-
 }  // namespace
 
 template <int D>
@@ -50,16 +37,38 @@ void BodyWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_me
   bodies_meet_ = bodies_meet;
   pairs_.clear();
   sides_.clear();
+  lists_hinges_ = false;
   const auto meets = [](const Trajectory<D>& of) {
     return of.motion.body->filter.self || (of.still != nullptr && !of.still->all.empty());
   };
   has_hinges_ = bodies_meet && !trajectories.empty() && (trajectories.size() != 1 || meets(trajectories[0]));
   if (!has_hinges_) return;
-  const bool with_segments = drift != nullptr || !find_own_edges(trajectories);
-  add_ways(trajectories, with_segments, drift);
-  if (with_segments) find_segments(trajectories);
-  find_solids(trajectories);
+  if (drift != nullptr) {
+    find_step_pairs(trajectories, drift);
+  } else {
+    const bool with_segments = !find_own_edges(trajectories);
+    add_ways(trajectories, with_segments);
+    if (with_segments) find_segments(trajectories);
+    find_solids(trajectories);
+    find_still(trajectories);
+  }
   find_lone_edges(trajectories);
+}
+
+template <int D>
+void BodyWays<D>::find_step_pairs(const Array<Trajectory<D>>& trajectories, const double* drift) {
+  lists_hinges_ = true;
+  step_pairs_.find(trajectories, drift);
+  for (const typename StepPairs<D>::Pair& pair : step_pairs_.pairs()) {
+    const auto side_of = [&](const typename StepPairs<D>::Part& part) {
+      return add_side(part.trajectory, trajectories[part.trajectory].name, part.simplex);
+    };
+    const uint32_t first = side_of(pair.parts[0]);
+    add_pair(pair.kind, first, side_of(pair.parts[1]));
+  }
+  const auto meets_others = [](const Trajectory<D>& of) { return of.still != nullptr && !of.still->all.empty(); };
+  if (dsw::none_of(trajectories.begin(), trajectories.end(), meets_others)) return;
+  add_ways(trajectories, true);
   find_still(trajectories);
 }
 
@@ -95,16 +104,12 @@ bool BodyWays<D>::find_own_edges([[maybe_unused]] const Array<Trajectory<D>>& tr
 
 /** The boxes of the ways of vertices of a trajectory: those of its parts are made of them. */
 template <int D>
-void BodyWays<D>::box_vertices(const Trajectory<D>& of, const double* drift) {
+void BodyWays<D>::box_vertices(const Trajectory<D>& of) {
   const Body<D>& body = *of.motion.body;
   vertex_boxes_.resize(body.vertices.size());
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     if (!body.has_vertex(v)) continue;
     Box<D>& box = vertex_boxes_[v];
-    if (drift != nullptr) {
-      box = box_beside_drift<D>(of.start(v), of.reach(v), drift);
-      continue;
-    }
     box = {};
     box.add(of.start(v));
     box.add(of.reach(v));
@@ -112,7 +117,7 @@ void BodyWays<D>::box_vertices(const Trajectory<D>& of, const double* drift) {
 }
 
 template <int D>
-void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift) {
+void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments) {
   for (Ways* each : {&segments_, &vertices_, &faces_}) each->clear();
   const auto has_faces = [](const Partner<D>& each) { return covers_faces(each.body->level); };
   const bool may_meet_faces = dsw::any_of(trajectories.begin(), trajectories.end(), [&](const Trajectory<D>& of) {
@@ -121,7 +126,7 @@ void BodyWays<D>::add_ways(const Array<Trajectory<D>>& trajectories, bool with_s
   });
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
-    box_vertices(of, drift);
+    box_vertices(of);
     const auto add = [&](const Simplex& part, Ways& ways) {
       const uint32_t side = add_side(t, of.name, part);
       Box<D> box = vertex_boxes_[sides_[side].corners.vertices[0]];
@@ -155,6 +160,7 @@ void BodyWays<D>::find_segments(const Array<Trajectory<D>>& trajectories) {
     const uint32_t numbers[2] = {segments_.sides[std::max(i, k)], segments_.sides[std::min(i, k)]};
     const Side &a = sides_[numbers[0]], &b = sides_[numbers[1]];
     if (!counts(a) || !counts(b) || !may_meet(trajectories, a.trajectory, b.trajectory)) return;
+    if (!segments_.boxes[i].overlaps(segments_.boxes[k])) return;
     add_segments(numbers[0], numbers[1]);
   });
 }
@@ -168,6 +174,7 @@ void BodyWays<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
     if (D == 2 && solid.part.kind == Simplex::kVertex) return;
     if (!may_meet(trajectories, solid.trajectory, vertex.trajectory)) return;
     if (solid.trajectory == vertex.trajectory && solid.has_corner(vertex.part.index)) return;
+    if (!solids.boxes[i].overlaps(vertices_.boxes[k])) return;
     add_pair(D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, vertices_.sides[k], solids.sides[i]);
   });
 }
@@ -303,34 +310,54 @@ bool BodyWays<D>::visit_pair(const Array<Trajectory<D>>& trajectories, PairKind 
 /** If edges share a vertex, the far end of each can touch the other edge. */
 template <int D>
 template <class Visit>
-bool BodyWays<D>::visit_hinges([[maybe_unused]] const Array<Trajectory<D>>& trajectories,
-                               [[maybe_unused]] uint32_t number, [[maybe_unused]] Visit visit) const {
+bool BodyWays<D>::visit_hinge(const Array<Trajectory<D>>& trajectories, uint32_t number, const Spoke& a, const Spoke& b,
+                              Visit visit) const {
+  const Trajectory<D>& of = trajectories[number];
+  const Spoke* const both[2] = {&a, &b};
+  for (const int side : {0, 1}) {
+    const Side far(number, of.name, {Simplex::kVertex, both[side]->far}),
+        edge(number, of.name, {Simplex::kEdge, both[1 - side]->edge});
+    if (!visit_pair(trajectories, PairKind::kEdgeEdge, far, edge, visit)) return false;
+  }
+  return true;
+}
+
+/** Those at all vertices of a trajectory. */
+template <int D>
+template <class Visit>
+bool BodyWays<D>::visit_hinges(const Array<Trajectory<D>>& trajectories, uint32_t number, Visit visit) const {
   if constexpr (D == 3) {
     const Trajectory<D>& of = trajectories[number];
     const Body<D>& body = *of.motion.body;
     if (!body.filter.self || !covers_edges(body.level)) return true;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
-      const double* const here[2] = {of.start(v), of.end(v)};
       spokes_.clear();
       for_each_edge(body, v, [&](uint32_t e) {
-        const uint32_t far = body.edges[e].other(v);
-        const double* const there[2] = {of.start(far), of.end(far)};
-        spokes_.push_back({e, far, HingeArm(here, there)});
+        spokes_.push_back(Spoke(of, v, e));
         return true;
       });
       for (size_t i = 0; i < spokes_.size(); ++i) {
         for (size_t k = 0; k < i; ++k) {
-          const Spoke* const both[2] = {&spokes_[i], &spokes_[k]};
-          if (of.is_new[v] == 0 && of.is_new[both[0]->far] == 0 && of.is_new[both[1]->far] == 0) continue;
-          if (stays_open(both[0]->arm, both[1]->arm)) continue;
-          for (const int side : {0, 1}) {
-            const Side far(number, of.name, {Simplex::kVertex, both[side]->far}),
-                edge(number, of.name, {Simplex::kEdge, both[1 - side]->edge});
-            if (!visit_pair(trajectories, PairKind::kEdgeEdge, far, edge, visit)) return false;
-          }
+          const Spoke &a = spokes_[i], &b = spokes_[k];
+          if (of.is_new[v] == 0 && of.is_new[a.far] == 0 && of.is_new[b.far] == 0) continue;
+          if (!stays_open(a.arm, b.arm) && !visit_hinge(trajectories, number, a, b, visit)) return false;
         }
       }
+    }
+  }
+  return true;
+}
+
+/** Those that are listed. */
+template <int D>
+template <class Visit>
+bool BodyWays<D>::visit_listed_hinges(const Array<Trajectory<D>>& trajectories, Visit visit) const {
+  if constexpr (D == 3) {
+    for (const typename StepPairs<D>::Hinge& hinge : step_pairs_.hinges()) {
+      const Trajectory<D>& of = trajectories[hinge.trajectory];
+      const Spoke a(of, hinge.vertex, hinge.edges[0]), b(of, hinge.vertex, hinge.edges[1]);
+      if (!stays_open(a.arm, b.arm) && !visit_hinge(trajectories, hinge.trajectory, a, b, visit)) return false;
     }
   }
   return true;
@@ -343,6 +370,7 @@ bool BodyWays<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Visit 
   for (const Pair& pair : pairs_) {
     if (!visit_pair(trajectories, pair.kind, sides_[pair.sides[0]], sides_[pair.sides[1]], visit)) return false;
   }
+  if (has_hinges_ && lists_hinges_) return visit_listed_hinges(trajectories, visit);
   for (uint32_t t = 0; has_hinges_ && t < trajectories.size(); ++t) {
     if (!visit_hinges(trajectories, t, visit)) return false;
   }

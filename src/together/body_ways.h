@@ -5,6 +5,7 @@
 #include "predicates/moving_hinge.h"
 #include "proximity/near_edges.h"
 #include "together/box_sweep.h"
+#include "together/step_pairs.h"
 #include "together/trajectory.h"
 
 namespace dsw {
@@ -22,6 +23,7 @@ class BodyWays {
         sweep_(memory),
         pairs_(memory),
         near_(memory),
+        step_pairs_(memory),
         spokes_(memory) {}
 
   /** Finds the pairs whose whole ways in the call come near each other.
@@ -59,10 +61,15 @@ class BodyWays {
     PairKind kind;
     uint32_t sides[2];  // in the order of the points
   };
-  /** An edge at a vertex. */
+  /** An edge at a vertex, in space. */
   struct Spoke {
     uint32_t edge, far;
     HingeArm arm;
+
+    Spoke(const Trajectory<D>& of, uint32_t v, uint32_t e)
+        : edge(e),
+          far(of.motion.body->edges[e].other(v)),
+          arm({of.start(v), of.end(v)}, {of.start(far), of.end(far)}) {}
   };
   /** Boxes of the ways of parts of all trajectories, and their numbers in sides_. */
   struct Ways {
@@ -76,8 +83,9 @@ class BodyWays {
     }
   };
 
-  void box_vertices(const Trajectory<D>& of, const double* drift);
-  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments, const double* drift);
+  void box_vertices(const Trajectory<D>& of);
+  void add_ways(const Array<Trajectory<D>>& trajectories, bool with_segments);
+  void find_step_pairs(const Array<Trajectory<D>>& trajectories, const double* drift);
   bool find_own_edges(const Array<Trajectory<D>>& trajectories);
   void find_segments(const Array<Trajectory<D>>& trajectories);
   void find_solids(const Array<Trajectory<D>>& trajectories);
@@ -92,6 +100,11 @@ class BodyWays {
   bool visit_pair(const Array<Trajectory<D>>& trajectories, PairKind kind, const Side& a, const Side& b,
                   Visit visit) const;
   template <class Visit>
+  bool visit_hinge(const Array<Trajectory<D>>& trajectories, uint32_t number, const Spoke& a, const Spoke& b,
+                   Visit visit) const;
+  template <class Visit>
+  bool visit_listed_hinges(const Array<Trajectory<D>>& trajectories, Visit visit) const;
+  template <class Visit>
   bool visit_hinges(const Array<Trajectory<D>>& trajectories, uint32_t number, Visit visit) const;
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit) const;
@@ -102,8 +115,10 @@ class BodyWays {
   BoxSweep<D> sweep_;
   Array<Pair> pairs_;
   NearEdges near_;
+  StepPairs<D> step_pairs_;      // if all vertices make the same part of their ways
   mutable Array<Spoke> spokes_;  // of one vertex
   bool has_hinges_ = false;
+  bool lists_hinges_ = false;  // those of step_pairs_ are all that there are
   bool bodies_meet_ = false;
 };
 

@@ -44,8 +44,12 @@ void check(BoxSweep<D>& sweep, const Array<Box<D>>& a, const Array<Box<D>>& b) {
       if (a[i].overlaps(b[k])) between.emplace_back(i, k);
     }
   }
-  sweep.visit_own(a, [&](uint32_t i, uint32_t k) { own_found.emplace_back(std::min(i, k), std::max(i, k)); });
-  sweep.visit_between(a, b, [&](uint32_t i, uint32_t k) { found.emplace_back(i, k); });
+  sweep.visit_own(a, [&](uint32_t i, uint32_t k) {
+    if (a[i].overlaps(a[k])) own_found.emplace_back(std::min(i, k), std::max(i, k));
+  });
+  sweep.visit_between(a, b, [&](uint32_t i, uint32_t k) {
+    if (a[i].overlaps(b[k])) found.emplace_back(i, k);
+  });
   std::sort(own_found.begin(), own_found.end());
   std::sort(found.begin(), found.end());
   EXPECT_EQ(own_found, own);

@@ -1,0 +1,114 @@
+#pragma once
+// Points along a few directions, where they start and where they end: what one direction parts then it parts on the whole way, since all
+// points go straight and steadily.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "base/compiler.h"
+#include "base/memory.h"
+#include "body/box.h"
+
+namespace dsw {
+
+/** Points of which all make the same part of their ways; what all go may be left out of these. Throws std::bad_alloc.
+ *
+ * Lengths along directions are whole steps of a frame, from one step below the place to one above. So roundings of far less than a step,
+ * those of places on the way as well, change no answer. */
+template <int D>
+class Shadows {
+ public:
+  /** By direction, whether a point stays beyond or below another one. */
+  struct Sides {
+    ShortEight beyond, below;
+
+    /** Whether one direction parts two that have their points in common with it alone. */
+    bool are_opposite(const Sides& other) const noexcept {
+      return has_any((beyond & other.below) | (below & other.beyond));
+    }
+  };
+
+  explicit Shadows(const Memory* memory) : shadows_(memory) {}
+
+  /** @param all a box of all places.
+   * @param largest the largest coordinate of what the places are made of. */
+  void start(size_t count, const Box<D>& all, double largest) {
+    shadows_.resize(count);
+    for (int i = 0; i < D; ++i) centre_[i] = 0.5 * all.lower[i] + 0.5 * all.upper[i];
+    for (int k = 0; k < kDirections; ++k) {
+      double half = 0;
+      for (int i = 0; i < D; ++i) half += std::fabs(kAlong[i][k]) * (0.5 * all.upper[i] - 0.5 * all.lower[i]);
+      // Nothing is apart where steps are not far longer than roundings.
+      const bool is_known = half < 0x1p1000 && half > 0x1p-1000 && half > 0x1p-30 * largest;
+      scale_[k] = is_known ? kMostSteps / half : 0;
+    }
+  }
+  void set(size_t point, const double* start, const double* end) noexcept {
+    set_range(start, shadows_[point].start);
+    set_range(end, shadows_[point].end);
+  }
+
+  /** Whether the hulls of two sets of points are surely apart at all times. */
+  bool part(const uint32_t* a, uint32_t a_count, const uint32_t* b, uint32_t b_count) const noexcept {
+    ShortEight below = eight_of(-1), beyond = below;
+    for (uint32_t i = 0; i < a_count; ++i) {
+      const Shadow& one = shadows_[a[i]];
+      for (uint32_t k = 0; k < b_count; ++k) {
+        const Shadow& other = shadows_[b[k]];
+        below = below & one.start.is_below(other.start) & one.end.is_below(other.end);
+        beyond = beyond & other.start.is_below(one.start) & other.end.is_below(one.end);
+      }
+    }
+    return has_any(below | beyond);
+  }
+  /** On which sides of another point a point surely stays. */
+  Sides sides(uint32_t point, uint32_t of) const noexcept {
+    const Shadow &there = shadows_[point], &here = shadows_[of];
+    return {here.start.is_below(there.start) & here.end.is_below(there.end),
+            there.start.is_below(here.start) & there.end.is_below(here.end)};
+  }
+
+ private:
+  static constexpr int kDirections = 8;
+  static constexpr double kMostSteps = 32000;
+  // Spread over all directions, and along no axis and no diagonal, since there features of regular meshes lie in one plane. In the plane the
+  // first two rows.
+  static constexpr double kAlong[3][kDirections] = {{0.824, -0.975, 0.448, 0.009, -0.754, 0.533, -0.599, -0.218},
+                                                    {0.280, 0.213, -0.893, 0.524, -0.654, -0.470, -0.005, -0.772},
+                                                    {0.493, 0.066, -0.034, 0.852, 0.055, 0.703, 0.801, 0.597}};
+  /** By direction, the steps that a place lies between. */
+  struct Range {
+    ShortEight low, high;
+
+    ShortEight is_below(const Range& other) const noexcept { return high < other.low; }
+  };
+  struct Shadow {
+    Range start, end;
+  };
+
+  static bool has_any(const ShortEight& mask) noexcept {
+    uint64_t words[2];
+    std::memcpy(words, &mask, sizeof words);
+    return (words[0] | words[1]) != 0;
+  }
+  void set_range(const double* at, Range& range) const noexcept {
+    int16_t low[kDirections], high[kDirections];
+    for (int k = 0; k < kDirections; ++k) {
+      double sum = 0;
+      for (int i = 0; i < D; ++i) sum += kAlong[i][k] * (at[i] - centre_[i]);
+      // Rounded to zero, so by less than a step.
+      const auto step = static_cast<int>(sum * scale_[k]);
+      low[k] = static_cast<int16_t>(step - 1);
+      high[k] = static_cast<int16_t>(step + 1);
+    }
+    std::memcpy(&range.low, low, sizeof low);
+    std::memcpy(&range.high, high, sizeof high);
+  }
+
+  Array<Shadow> shadows_;
+  double centre_[D] = {}, scale_[kDirections] = {};
+};
+
+}  // namespace dsw

@@ -1,0 +1,79 @@
+#pragma once
+// Which parts of bodies may touch each other while all vertices make the same part of straight steps.
+
+#include "together/box_sweep.h"
+#include "together/shadows.h"
+#include "together/trajectory.h"
+
+namespace dsw {
+
+/** Keeps its memory from call to call. Throws std::bad_alloc. */
+template <int D>
+class StepPairs {
+ public:
+  struct Part {
+    uint32_t trajectory;
+    Simplex simplex;
+  };
+  struct Pair {
+    PairKind kind;
+    Part parts[2];  // in the order of the points
+  };
+  /** Two edges with a common vertex: the far end of each may touch the other one. */
+  struct Hinge {
+    uint32_t trajectory, vertex, edges[2];
+  };
+
+  explicit StepPairs(const Memory* memory)
+      : first_(memory),
+        boxes_(memory),
+        shadows_(memory),
+        segments_(memory),
+        vertices_(memory),
+        faces_(memory),
+        sweep_(memory),
+        spokes_(memory),
+        pairs_(memory),
+        hinges_(memory) {}
+
+  /** Finds them for ways up to where the trajectories go in the call.
+   * @param drift what is left out of all ways: then fewer of them come near each other. */
+  void find(const Array<Trajectory<D>>& trajectories, const double* drift);
+  const Array<Pair>& pairs() const noexcept { return pairs_; }
+  const Array<Hinge>& hinges() const noexcept { return hinges_; }
+
+ private:
+  /** A part, and its corners among the vertices of all trajectories. */
+  struct Way {
+    Part part;
+    uint32_t corners[3];
+  };
+  struct Ways {
+    Array<Way> all;
+    Array<Box<D>> boxes;
+    explicit Ways(const Memory* memory) : all(memory), boxes(memory) {}
+  };
+  struct Spoke {
+    uint32_t edge;
+    typename Shadows<D>::Sides sides;
+  };
+
+  void place_vertices(const Array<Trajectory<D>>& trajectories, const double* drift);
+  void add(Ways& ways, uint32_t trajectory, const Simplex& simplex, const uint32_t* corners, uint32_t count);
+  void add_ways(const Array<Trajectory<D>>& trajectories);
+  void find_segments(const Array<Trajectory<D>>& trajectories);
+  void find_solids(const Array<Trajectory<D>>& trajectories);
+  void find_hinges(const Array<Trajectory<D>>& trajectories);
+
+  Array<uint32_t> first_;  // vertices of each trajectory among all
+  Array<Box<D>> boxes_;    // of the ways of all vertices
+  Shadows<D> shadows_;
+  Ways segments_, vertices_, faces_;  // segments: edges and vertices without edges
+  BoxSweep<D> sweep_;
+  Array<Spoke> spokes_;  // of one vertex
+  bool all_meet_ = false;
+  Array<Pair> pairs_;
+  Array<Hinge> hinges_;
+};
+
+}  // namespace dsw
