@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace physics {
 namespace {
@@ -9,10 +10,13 @@ namespace {
 // The direct solution: each row has a stiff spring, and rounding is taken back in so many rounds.
 constexpr double kSoft = 0.1;       // share of the tolerance by which the springs of rows give way
 constexpr double kStiffest = 1e10;  // a spring over the stiffness of its row
-constexpr int kRounds = 3;
-constexpr int kSets = 8;  // of rows that press, at most
+constexpr int kRounds = 3;          // at most: a round that changes the motion by less than kRounded of it is the last
+constexpr double kRounded = 1e-9;
+constexpr int kSets = 8, kFewSets = 3;  // of rows that press, at most: few where the last direct solution did not help
 constexpr double kRounding = 1e-12;
 constexpr double kInside = 1 - 1e-9;  // friction of less than this share of the cone sticks
+constexpr double kHelps = 0.5;        // a direct solution that leaves more than this share of the change did not help
+constexpr int kLongestWait = 8;       // sweeps: they drift where nothing is solved directly
 
 }  // namespace
 
@@ -192,8 +196,14 @@ void RodContacts::solve_pressing(const Positions& off, Positions* change, BlockV
         (*change)[i] += row.spring * row.gripped(left[i] - row.taken(more));
       }
     }
+    double added = 0, all = 0;
     for (std::size_t i = 0; i < more.size(); ++i) {
       (*moved)[i] += more[i];
+      added = std::max(added, more[i].cwiseAbs().maxCoeff());
+      all = std::max(all, (*moved)[i].cwiseAbs().maxCoeff());
+    }
+    if (added <= kRounded * all) {
+      return;
     }
   }
 }
@@ -239,7 +249,8 @@ bool RodContacts::press(const BlockVector& velocity, const RodContactOptions& op
   }
   Positions change;
   BlockVector moved;
-  for (int attempt = 0; attempt < kSets; ++attempt) {
+  const int most_sets = wait_ > options.together ? kFewSets : kSets;
+  for (int set = 0; set < most_sets; ++set) {
     solve_pressing(slips(velocity), &change, &moved);
     double share = 1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -296,6 +307,8 @@ void RodContacts::begin(const NearRows& rows, const ChainMatrix& matrix, const C
   matrix_ = &matrix;
   dt_ = dt;
   slides_ = false;
+  next_together_ = wait_ = options.together;
+  change_before_ = std::numeric_limits<double>::infinity();
   forward_ = &factor;
   factor.invert(&inverse_);
   find_transfers_towards_last(matrix, &scratch_, &backward_, &towards_last_);
@@ -311,10 +324,16 @@ double RodContacts::sweep(int sweep, const BlockVector& velocity, const RodConta
   if (rows_.empty()) {
     return 0;
   }
-  if (options.together > 0 && sweep > 0 && sweep % options.together == 0) {
+  if (options.together > 0 && sweep > 0 && sweep == next_together_) {
+    const bool helped = change_ <= kHelps * change_before_;
+    wait_ = helped ? options.together : std::max(options.together, std::min(2 * wait_, kLongestWait));
+    next_together_ += wait_;
+    change_before_ = change_;
     press_together(velocity, options);
   }
-  return sweep % 2 == 0 ? sweep_to_last(velocity, options.friction) : sweep_to_first(velocity, options.friction, true);
+  change_ =
+      sweep % 2 == 0 ? sweep_to_last(velocity, options.friction) : sweep_to_first(velocity, options.friction, true);
+  return change_;
 }
 
 std::size_t RodContacts::end() {

@@ -17,7 +17,9 @@ struct RodContactOptions {
   double recovery = 0.2;  // share of a negative gap that a step takes back
   int most_sweeps = 40;   // in both directions together
   double tolerance = 0;   // length: sweeps end when no row moves by more in a sweep
-  int together = 0;  // sweeps, an even number, from one direct solution of the rows that press to the next; 0: none
+  // Sweeps, an even number, from one direct solution of the rows that press to the next, twice as many each time that
+  // it did not help. 0: there is none.
+  int together = 0;
 };
 
 struct RodContactReport {
@@ -87,7 +89,9 @@ class RodContacts {
   ChainFactor backward_, penalised_;
   const ChainMatrix* matrix_ = nullptr;
   double dt_ = 1;
-  bool slides_ = false;  // the direct solution leaves friction as it is, in this step
+  bool slides_ = false;                    // the direct solution leaves friction as it is, in this step
+  int next_together_ = 0, wait_ = 0;       // sweeps: the next direct solution, and from the last one to it
+  double change_ = 0, change_before_ = 0;  // of the last sweep, and of that before the last direct solution
   const ChainFactor* forward_ = nullptr;
   std::vector<Transfer> towards_last_;
   // The motion of each pair that is caused by impulses on earlier pairs, on later pairs, and on the pair itself.
