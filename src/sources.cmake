@@ -239,6 +239,7 @@ list(APPEND dsw_sources
   together/body_ways.cpp
   together/describe.cpp
   together/held_points.cpp
+  together/hull_ways.cpp
   together/kept_sides.cpp
   together/moving_walls.cpp
   together/near_walls.cpp

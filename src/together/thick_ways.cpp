@@ -1,269 +1,16 @@
-// The distance of two hulls is at least what one direction shows: how far all points of one lie beyond all points of the other.
-// While points go straight and steadily, how far one lies beyond another is linear in time, so what a direction shows is the
-// least of linear functions: concave. Where it is enough at two times, it is enough between them. So the way is gone in pieces,
-// each as long as the best direction at its begin allows. All numbers are those of the ends of the ways, rounded once: no place
-// between is rounded.
-//
-// Where a wall turns, no fixed direction shows much for long. A direction that goes steadily from one to another shows the least of
-// quadratic functions, over its length. The square of that length is 1 - 2 k t (1 - t), with k = 1 - cos of the angle between the
-// two, so the length is at most 1 - k t (1 - t). What is left over is of third order.
-//
 // What is near is found as in proximity/thick_sweep.cpp: nothing impassable lies between a part and what is nearest to it, at any
 // time. So a flood from the part through a region round its whole way finds that.
 
 #include "together/thick_ways.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
-#include "base/dimensions.h"
 #include "base/search.h"
-#include "motion/place_on_way.h"
 #include "proximity/thick_sweep.h"
 
 namespace dsw {
-namespace {
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kLeastPiece = 0x1p-46;  // of a time: what is shorter is left
-
-/** How far two hulls are apart along a direction, as linear functions of time, and what rounding can lose of each. */
-template <int D>
-struct LinearGap {
-  double start[16], end[16], lost = 0;
-  uint32_t count = 0;
-
-  LinearGap(const HullWays<D>& ways, const Vec& direction) noexcept {
-    double size = 0;
-    for (uint32_t i = 0; i < ways.count[0]; ++i) {
-      for (uint32_t k = 0; k < ways.count[1]; ++k, ++count) {
-        const Vec from = difference<D>(ways.start[0][i], ways.start[1][k]),
-                  to = difference<D>(ways.end[0][i], ways.end[1][k]);
-        start[count] = dot(direction, from);
-        end[count] = dot(direction, to);
-        size = std::max({size, largest(from), largest(to)});
-      }
-    }
-    // A difference, a product and two sums lose at most 4 u of the sum of magnitudes, the mean of two numbers 4 u more, and the
-    // length of the direction 2^-50.
-    lost = 0x1p-47 * size + 0x1p-1000;
-  }
-  double at(double time) const noexcept {
-    double least = kInf;
-    for (uint32_t n = 0; n < count; ++n) least = std::min(least, (1 - time) * start[n] + time * end[n]);
-    return least - lost;
-  }
-  /** The last time from `time` on, at most `most`, at which the gap is enough; `time` has it. */
-  double last(double time, double most, double enough) const noexcept {
-    if (at(most) >= enough) return most;
-    double least = most;
-    for (uint32_t n = 0; n < count; ++n) {
-      const double goal = enough + lost;
-      if (end[n] >= goal || !(start[n] > end[n])) continue;
-      least = std::min(least, (start[n] - goal) / (start[n] - end[n]));
-    }
-    for (double back = 0x1p-52 * least; least > time; least -= back, back *= 2) {
-      if (at(least) >= enough) return least;
-    }
-    return time;
-  }
-};
-
-/** Whether one direction shows on the whole way that a distance is kept. */
-template <int D>
-bool shows(const HullWays<D>& ways, const Vec& direction, double most, double enough) noexcept {
-  const LinearGap<D> along(ways, direction);
-  return along.at(0) >= enough && along.at(most) >= enough;
-}
-
-/** Across a facet of a side, at the start, from the second side to the first. Zero if there is no facet. */
-template <int D>
-Vec across_facet(const HullWays<D>& ways) noexcept {
-  for (uint32_t side = 0; side < 2; ++side) {
-    if (ways.count[side] != D) continue;
-    const double* const* const points = ways.start[side];
-    const Vec edge = difference<D>(points[1], points[0]);
-    Vec normal;
-    if constexpr (D == 2) {
-      normal = unit(turned(edge));
-    } else {
-      normal = unit(unit(edge).cross(unit(difference<D>(points[2], points[0]))));
-    }
-    const bool is_above = dot(normal, difference<D>(ways.start[1 - side][0], points[0])) >= 0;
-    return is_above == (side == 1) ? normal : -1 * normal;
-  }
-  return Vec::Zero();
-}
-
-/** No distance of two sides changes by more on their ways. */
-template <int D>
-double most_change(const HullWays<D>& ways) noexcept {
-  double sum = 0;
-  for (uint32_t side = 0; side < 2; ++side) {
-    double most = 0;
-    for (uint32_t i = 0; i < ways.count[side]; ++i) {
-      most = std::max(most, length(difference<D>(ways.end[side][i], ways.start[side][i])));
-    }
-    sum += most;
-  }
-  return sum;
-}
-
-/** How much a distance can change by the rounding of places where all points go alike. */
-template <int D>
-double rounding_of(const HullWays<D>& ways) noexcept {
-  double most = 0;
-  for (uint32_t side = 0; side < 2; ++side) {
-    for (uint32_t i = 0; i < ways.count[side]; ++i) {
-      most = std::max({most, largest_coordinate<D>(ways.start[side][i]), largest_coordinate<D>(ways.end[side][i])});
-    }
-  }
-  return 0x1p-49 * most;
-}
-
-/** Whether the boxes of two sides' ways are so far apart that a distance is kept. */
-template <int D>
-bool are_boxes_apart(const HullWays<D>& ways, double wanted) noexcept {
-  Box<D> boxes[2];
-  for (uint32_t side = 0; side < 2; ++side) {
-    for (uint32_t i = 0; i < ways.count[side]; ++i) {
-      boxes[side].add(ways.start[side][i]);
-      boxes[side].add(ways.end[side][i]);
-    }
-  }
-  for (int k = 0; k < D; ++k) {
-    if (boxes[0].lower[k] - boxes[1].upper[k] >= wanted || boxes[1].lower[k] - boxes[0].upper[k] >= wanted) return true;
-  }
-  return false;
-}
-
-/** The hulls at a time of their ways. */
-template <int D>
-void place(const HullWays<D>& ways, double time, double (&places)[2][4][D], ConvexHull (&hulls)[2]) noexcept {
-  for (uint32_t side = 0; side < 2; ++side) {
-    for (uint32_t i = 0; i < ways.count[side]; ++i) {
-      point_on_way<D>(ways.start[side][i], ways.end[side][i], time, places[side][i]);
-      hulls[side].points[i] = places[side][i];
-    }
-    hulls[side].count = ways.count[side];
-  }
-}
-
-/** Whether a direction that goes from one to another between two times shows that a distance is kept there. */
-template <int D>
-bool keeps_turning(const HullWays<D>& ways, double begin, double end, const Vec& first, const Vec& last,
-                   double accepted) noexcept {
-  const Vec turn = last - first;
-  const double shorter = accepted * dot(turn, turn) / 4 * (1 - 0x1p-40);  // see above: half of k, as a control value
-  for (uint32_t i = 0; i < ways.count[0]; ++i) {
-    for (uint32_t k = 0; k < ways.count[1]; ++k) {
-      const Vec from = difference<D>(ways.start[0][i], ways.start[1][k]),
-                to = difference<D>(ways.end[0][i], ways.end[1][k]);
-      const Vec a = (1 - begin) * from + begin * to, b = (1 - end) * from + end * to;
-      const double goal = accepted + 0x1p-46 * std::max(largest(from), largest(to)) + 0x1p-1000;
-      const double c0 = dot(first, a) - goal, c1 = (dot(first, b) + dot(last, a)) / 2 + shorter - goal,
-                   c2 = dot(last, b) - goal;
-      if (!(c0 >= 0 && c2 >= 0)) return false;
-      if (!(c1 >= 0) && !(c0 * c2 > c1 * c1 * (1 + 0x1p-40))) return false;
-    }
-  }
-  return true;
-}
-
-/** Up to which time after `begin` such a direction shows that a distance is kept; else `least`.
- * @param gap at the begin. */
-template <int D>
-double last_turning(const HullWays<D>& ways, double begin, double least, double most, const HullGap& gap,
-                    double accepted) noexcept {
-  constexpr int kMostTries = 16;
-  constexpr double kLeastShare = 0x1p-4;  // another part of the hulls may be the one that comes nearer
-  const auto gap_at = [&](double time) {
-    double places[2][4][D];
-    ConvexHull hulls[2];
-    place(ways, time, places, hulls);
-    return find_gap<D>(hulls[0], hulls[1], kInf, accepted);
-  };
-  double span = most - begin;
-  for (int tries = 0; tries < kMostTries && begin + span > least && span >= kLeastPiece * (begin + span); ++tries) {
-    const double end = std::min(begin + span, most);
-    const HullGap there = gap_at(end);
-    if (!is_zero(there.normal) && there.distance >= accepted) {
-      if (keeps_turning(ways, begin, end, gap.normal, there.normal, accepted)) return end;
-      span /= 4;
-    } else {
-      const double share = (gap.distance - accepted) / (gap.distance - there.distance);
-      span *= std::clamp(share, kLeastShare, 1.0) * (1 - 0x1p-10);
-    }
-  }
-  return least;
-}
-
-/** Whether a direction shows on the whole way that a distance is kept while points are beside their straight ways. At a time t
- * they are by at most 4 t (1 - t) of the bend there, as the error of a linear interpolation. */
-template <int D>
-bool keeps_bent(const LinearGap<D>& along, double bend, double kept) noexcept {
-  for (uint32_t n = 0; n < along.count; ++n) {
-    const double c0 = (along.start[n] - along.lost) - kept, c2 = (along.end[n] - along.lost) - kept,
-                 c1 = (c0 + c2) / 2 - 2 * bend;  // control values of a quadratic function
-    if (!(c0 >= 0 && c2 >= 0)) return false;
-    if (!(c1 >= 0) && !(c0 * c2 > c1 * c1 * (1 + 0x1p-40))) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-template <int D>
-double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known) noexcept {
-  constexpr int kMostPieces = 100, kMostNearPieces = 12;
-  constexpr double kNear = 0x1p-37;
-  if (are_boxes_apart(ways, wanted + ways.bend())) return most;
-  double time = 0, kept = least_kept(wanted);
-  if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
-  *known = across_facet(ways);
-  if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
-  const auto gap_at = [&](double at, double enough) {
-    double places[2][4][D];
-    ConvexHull hulls[2];
-    place(ways, at, places, hulls);
-    return find_gap<D>(hulls[0], hulls[1], enough, kept);
-  };
-  const double far = kept + ways.bend() + most_change(ways);
-  HullGap gap = gap_at(0, far);
-  *known = gap.normal;
-  if (gap.bound >= far) {
-    if (shows(ways, *known, most, kept + ways.bend(*known))) return most;
-    gap = gap_at(0, kInf);
-  }
-  for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
-    if (piece > 0) gap = gap_at(time, kInf);
-    if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
-    *known = gap.normal;
-    const LinearGap<D> along(ways, gap.normal);
-    const double bend = ways.bend(gap.normal);
-    double accepted = kept + bend;
-    if (piece == 0) {
-      const double at_start = along.at(0);
-      if (!(at_start >= less_share(wanted, 0x1p-30))) return 0;
-      const double slack = std::clamp((at_start - bend - least_at_rest(wanted)) / 2, 0.0, rounding_of(ways));
-      if (bend > 0 && at_start < accepted) return keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
-      if (at_start - slack < accepted && along.at(most) >= at_start - slack) return most;
-      kept = std::min(kept, at_start);
-      accepted = kept + bend;
-    }
-    if (!(along.at(time) >= accepted)) return time;
-    double last = along.last(time, most, accepted);
-    if (last < most) last = last_turning(ways, time, last, most, gap, kept + ways.bend());
-    if (last >= most) return most;
-    // Pieces become short where a wall turns as fast as it comes nearer.
-    near_pieces += gap.distance - accepted < kNear * wanted ? 1 : 0;
-    if (last - time < kLeastPiece * last || near_pieces > kMostNearPieces) return time;
-    time = last;
-  }
-  return time;
-}
 
 template <int D>
 void ThickWays<D>::start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const OuterWalls* found) {
@@ -475,10 +222,8 @@ double ThickWays<D>::pair_time_kept(const Pair& pair, const HullWays<D>& ways, d
 /** Adds what has come too near. */
 template <int D>
 void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double time, Array<TooNearOnWay<D>>& all) const {
-  double places[2][4][D];
-  ConvexHull hulls[2];
-  place(ways, time, places, hulls);
-  const HullGap gap = find_gap<D>(hulls[0], hulls[1], kInf, least_kept(pair.wanted));
+  const HullPlaces<D> at(ways, time);
+  const HullGap gap = at.gap(std::numeric_limits<double>::infinity(), least_kept(pair.wanted));
   TooNearOnWay<D> near;
   near.time = time;
   near.trajectory = pair.trajectory;
@@ -494,7 +239,7 @@ void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double ti
   for (uint32_t side = 0; side < 2; ++side) {
     const double* const weights = side == 0 ? gap.weights : gap.other_weights;
     Vec& point = near.points[side == ways.first ? 0 : 1];
-    for (uint32_t i = 0; i < hulls[side].count; ++i) point += weights[i] * to_vec<D>(hulls[side].points[i]);
+    for (uint32_t i = 0; i < ways.count[side]; ++i) point += weights[i] * to_vec<D>(at.places[side][i]);
   }
   if (is_zero(near.normal)) near.normal = unit(near.points[0] - near.points[1]);
   if (pair.other == nullptr) near.wall = walls_[pair.wall];
@@ -503,6 +248,5 @@ void ThickWays<D>::describe(const Pair& pair, const HullWays<D>& ways, double ti
 
 template class ThickWays<2>;
 template class ThickWays<3>;
-DSW_INSTANTIATE(time_kept);
 
 }  // namespace dsw

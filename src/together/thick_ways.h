@@ -1,33 +1,12 @@
 #pragma once
 // Distances that thick bodies keep while all vertices move at once.
 
-#include "predicates/hull_gap.h"
 #include "proximity/joined.h"
 #include "proximity/obstacles_near.h"
+#include "together/hull_ways.h"
 #include "together/trajectory.h"
 
 namespace dsw {
-
-/** The points of a pair at both ends of its way. */
-template <int D>
-struct HullWays {
-  const double* start[2][4];
-  const double* end[2][4];
-  uint32_t corner[2][4];  // of the part, or of the wall: which point this is
-  uint32_t count[2];
-  uint32_t first = 0;  // which of the two is the pair's first
-  Bend bends[2];       // of the two, beside these ways
-
-  double bend() const noexcept { return bends[0].most + bends[1].most; }
-  double bend(const Vec& direction) const noexcept { return bends[0].along(direction) + bends[1].along(direction); }
-};
-
-/** Up to which time, at most `most`, two hulls keep a distance while their points go straight and steadily: certified, so at
- * most the true time. What moves keeps a little more than what stands (thick_sweep.h). What begins nearer than that by rounding
- * does not come nearer than it was. So what has moved can leave, and go along with what it touches.
- * @param known a direction that may show the distance, from the second hull to the first; then the one that was found last. */
-template <int D>
-double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known) noexcept;
 
 /** Something that comes too near to a part that moves. */
 template <int D>

@@ -1,7 +1,8 @@
 // A touch says that its two sides come together along a normal. What is allowed is that they end apart along it, by the
 // distance of some units in the last place. So each touch is a row: the sum of the goals of its points, by their weights
 // at the touch, is at least that much along the normal. This is right to first order; what is left is found by the exact search
-// of the next round, with another normal.
+// of the next round, with another normal. A pair that keeps a distance turns on its way, and may be nearest between its ends: so its
+// row says how far it is apart at that time.
 //
 // The nearest goals that all rows allow are found by Hildreth's method: one row after the other is satisfied, and gives
 // back at most what it has taken before. Rows are taken in the order of the times and places of their touches.
@@ -24,8 +25,8 @@ namespace {
 constexpr uint32_t kMostTouches = 8, kMostSweeps = 200;
 constexpr double kApart = 0x1p-48;        // of the largest coordinate
 constexpr double kThickApart = 0x1p-45;   // likewise: what certified distances lose by rounding
-constexpr double kFarther = 0x1p-30;      // of a distance that is to be kept
-constexpr double kAboutAsNear = 0x1p-20;  // likewise
+constexpr double kFarther = 0x1p-20;      // of a distance that is to be kept
+constexpr double kAboutAsNear = 0x1p-18;  // likewise
 constexpr double kNext = 0x1p-4;          // likewise: of a corner that comes too near to a facet a little later
 
 /** Orders points by where they go. */
@@ -204,7 +205,7 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const WayTouch<D>& to
   const double largest_coordinate = set_key(sorted.start, sorted.end, D + 1, round, touch.first.time, row.key);
   const TouchMoment<D> moment(sorted, touch.first.time);
   row.normal = moment.normal(sorted.kind);
-  row.least = row.apart = kApart * std::ldexp(1, 3 * static_cast<int>(count - 1)) * largest_coordinate;
+  row.apart = kApart * std::ldexp(1, 3 * static_cast<int>(count - 1)) * largest_coordinate;
   row.carries = carries_ && touch.other == nullptr;
   double weights[D + 1];
   find_weights<D>(sorted.kind, moment, weights);
@@ -236,9 +237,10 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>
   const uint32_t times = count_again(near);
   if (times > kMostTouches) return false;
   const uint32_t count = near.ways.count[0], other_count = near.ways.count[1];
+  const TimeOfGap worst = worst_time(near.ways, near.time, near.wanted);
   bool has_row = false;
   const auto add_side = [&](const Corners& side, const Corners& other) {
-    has_row = add_near_row(trajectories, near, side, other, wall_goals, round, times) || has_row;
+    has_row = add_near_row(trajectories, near, worst, side, other, wall_goals, round, times) || has_row;
   };
   const auto all = [](uint32_t n) { return Corners{{0, 1, 2}, n}; };
   for (uint32_t i = 0; (other_count > 1 || count == 1) && i < count; ++i) add_side({{i}, 1}, all(other_count));
@@ -257,8 +259,8 @@ bool TouchRows<D>::add(Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>
 /** Adds a row for some corners of both sides, if they are about as near as they may be. */
 template <int D>
 bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near,
-                                const Corners& side, const Corners& other, const double* const* wall_goals,
-                                uint32_t round, uint32_t times) {
+                                const TimeOfGap& worst, const Corners& side, const Corners& other,
+                                const double* const* wall_goals, uint32_t round, uint32_t times) {
   const HullWays<D>& ways = near.ways;
   // The sides of a pair are in the order of all of their corners: here in that of those that are in the row.
   const uint32_t a = side.numbers[0], b = other.numbers[0];
@@ -279,26 +281,29 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
       const uint32_t i = corners.numbers[n], corner = ways.corner[s][i];
       starts[count] = ways.start[s][i];
       ends[count] = ways.end[s][i];
-      point_at<D>(starts[count], ends[count], near.time, places[count]);
+      point_at<D>(starts[count], ends[count], worst.time, places[count]);
       hulls[k].points[hulls[k].count++] = places[count];
       const double* const goal = trajectory != kNone     ? trajectories[trajectory].goal(corner)
                                  : near.other == nullptr ? wall_goals[corner]
                                                          : ends[count];
-      points[count] = {trajectory, trajectory == kNone ? kNone : corner, goal, 0, to_vec<D>(places[count]), 0};
+      double at[D];
+      point_at<D>(starts[count], ends[count], near.time, at);
+      points[count] = {trajectory, trajectory == kNone ? kNone : corner, goal, 0, to_vec<D>(at), 0};
       points[count].name = trajectory == kNone && near.other == nullptr ? near.wall.vertices[corner] : corner;
     }
   }
   const HullGap gap = find_gap<D>(hulls[0], hulls[1], std::numeric_limits<double>::infinity(), near.wanted);
-  double end = 0;  // of the ways, along the normal
+  double begin = 0, end = 0;  // of the ways, along the normal
   bool is_over_facet = count == D + 1 && (side.count == 1 || other.count == 1);
   for (uint32_t i = 0; i < count; ++i) {
     points[i].weight = i < first_count ? gap.weights[i] : -gap.other_weights[i - first_count];
+    begin += points[i].weight * dot(gap.normal, to_vec<D>(starts[i]));
     end += points[i].weight * dot(gap.normal, to_vec<D>(ends[i]));
     is_over_facet = is_over_facet && std::fabs(points[i].weight) > kAboutAsNear;
   }
   share_weights(starts, ends, 0, first_count, points);
   share_weights(starts, ends, first_count, count, points);
-  const double least = std::max(near.wanted, near.distance);
+  const double least = std::max(near.wanted, worst.distance);
   const bool comes_next = is_over_facet && gap.distance <= (1 + kNext) * least && end < near.wanted;
   if (!(gap.distance <= (1 + kAboutAsNear) * least) && !comes_next) return false;
   Row row{};
@@ -306,16 +311,32 @@ bool TouchRows<D>::add_near_row(const Array<Trajectory<D>>& trajectories, const 
   row.normal = gap.normal;
   row.apart = std::max(kThickApart * largest_coordinate, kFarther * near.wanted) *
               std::ldexp(1, 3 * static_cast<int>(times - 1));
-  row.least = near.wanted + row.apart;
+  row.time = worst.is_later ? worst.time : 1;
+  row.begin = begin;
+  row.distance = gap.distance;
+  row.wanted = near.wanted;
   row.carries = carries_ && near.other == nullptr;
   row.name = near_name_of(near, turns, points, first_count, count);
-  Row* const same = dsw::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
-    return each.name == row.name && std::get<0>(each.key) == round;
+  return join_row(trajectories, points, count, row);
+}
+
+/** Adds a row, unless another part has one for the same corners in this round. Then the row is that of the part that comes nearer. */
+template <int D>
+bool TouchRows<D>::join_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row) {
+  const auto same = dsw::find_if(rows_.begin(), rows_.end(), [&](const Row& each) {
+    return each.name == row.name && std::get<0>(each.key) == std::get<0>(row.key);
   });
   if (same == rows_.end()) return add_row(trajectories, points, count, row);
-  // Two parts share these corners.
-  same->apart = std::max(same->apart, row.apart);
-  same->least = near.wanted + same->apart;
+  const auto rank = [](const Row& of) {
+    return std::make_tuple(of.distance, of.time, of.normal.x(), of.normal.y(), of.normal.z());
+  };
+  const auto at = static_cast<size_t>(same - rows_.begin());
+  row.apart = rows_[at].apart = std::max(rows_[at].apart, row.apart);
+  row.key = rows_[at].key = std::min(rows_[at].key, row.key);
+  if (rank(row) < rank(rows_[at]) && add_row(trajectories, points, count, row)) {
+    rows_[at] = rows_.back();
+    rows_.pop_back();
+  }
   return true;
 }
 
@@ -361,7 +382,7 @@ void TouchRows<D>::share_weights(const double* const* starts, const double* cons
 /** Adds a row, if somebody can give way. */
 template <int D>
 bool TouchRows<D>::add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row) {
-  if (!std::isfinite(dot(row.normal, row.normal)) || is_zero(row.normal) || !std::isfinite(row.least)) return false;
+  if (!std::isfinite(dot(row.normal, row.normal)) || is_zero(row.normal) || !std::isfinite(row.least())) return false;
   bool gives_way = false;
   for (uint32_t i = 0; i < count; ++i) {
     const Point& point = points[i];
@@ -408,7 +429,7 @@ double TouchRows<D>::missing(const Array<Trajectory<D>>& trajectories, const Row
     sum = sum + point.weight * to_vec<D>(goal_of(trajectories, point));
     if (can_move(trajectories, point)) *resistance += point.weight * point.weight;
   }
-  return row.least - dot(row.normal, sum);
+  return row.least() - dot(row.normal, sum);
 }
 
 /** The points of a row go by its step along the normal. */

@@ -54,15 +54,19 @@ class TouchRows {
                                uint32_t count);
   static constexpr uint32_t kMostPoints = 2 * D;  // two edges in the plane, two faces in space
   using Key = std::tuple<uint32_t, double, std::array<double, 2 * D * kMostPoints>>;
-  /** dot(normal, sum of weights times goals) is at least `least`. */
+  /** dot(normal, sum of weights times places) is at least `wanted` and `apart` at a time of the ways, and `begin` at their start. */
   struct Row {
     Key key;
     NearName name;  // of a distance; else zeros
     Vec normal;
-    double least, apart, force, step;  // apart: a part of least that is for rounding
+    double time = 1, begin = 0, wanted = 0, distance = 0;  // distance: at that time, before the row
+    double apart, force, step;                             // apart: room for rounding
     bool carries;
     uint32_t count;
     Point points[kMostPoints];
+
+    /** What the sum of weights times goals has to be: it is linear in time. */
+    double least() const noexcept { return (wanted + apart - (1 - time) * begin) / time; }
   };
   struct Known {
     PairName name;
@@ -86,8 +90,10 @@ class TouchRows {
     uint32_t numbers[3];
     uint32_t count;
   };
-  bool add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const Corners& side,
-                    const Corners& other, const double* const* wall_goals, uint32_t round, uint32_t times);
+  bool add_near_row(const Array<Trajectory<D>>& trajectories, const TooNearOnWay<D>& near, const TimeOfGap& worst,
+                    const Corners& side, const Corners& other, const double* const* wall_goals, uint32_t round,
+                    uint32_t times);
+  bool join_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row);
   bool add_row(const Array<Trajectory<D>>& trajectories, const Point* points, uint32_t count, Row& row);
   static void share_weights(const double* const* starts, const double* const* ends, uint32_t first, uint32_t end,
                             Point* points);
