@@ -168,13 +168,20 @@ void Pusher::judge(const dsw_wall_contact& contact, const Vec& way, const std::v
   }
   // Where cells are folded over, what is near may lie beyond a fold.
   if (dsw_environment_check(ground_.environment(), nullptr) != DSW_STATUS_OK) return;
-  // A wall that slides along something goes on without it. Units in the last place of the least numbers are all of them.
-  if (moved <= 5e-9 * step || largest < 0x1p-1000) return;
+  // Units in the last place of the least numbers are all of them.
+  if (largest < 0x1p-1000) return;
+  // A wall that slides along something goes on without it. What is free after so short a way was in the wall's way by no
+  // more: by 8 times the room that a push leaves, and this room.
+  const double unit = kEpsilon * largest, room = 0x1p-31 * step + 2 * unit;
+  if (moved <= 9 * room + 2 * unit) {
+    ++report_.slides;
+    return;
+  }
   if (gap < 0) return wrong(dsw_last_error_message());
   ++report_.pushes;
   report_.rigid += rigid ? 1 : 0;
   report_.points += is_point ? 1 : 0;
-  const double left = std::max(0.0, gap - 8 * kEpsilon * largest) / step;
+  const double left = std::max(0.0, gap - 8 * unit) / step;
   report_.largest = std::max(report_.largest, left);
   if (left <= 1e-9) return;
   ++report_.wide;
@@ -240,34 +247,37 @@ void Pusher::run(int count) {
 void push_on_ground(Ground& ground, Rng& rng, PushReport& report) { Pusher(ground, rng, report).run(12); }
 
 void run_wall_pushes(const DeformRunOptions& options, PushReport& report) {
-  const uint64_t half = (options.steps + 1) / 2;
-  run_rounds(
-      sweep_turns(options.only), Rng(options.seed << 20), half, [&] { return report.pushes; },
-      [&](const SweepTurn& turn, uint64_t seed) {
-        Rng rng(seed);
-        const std::unique_ptr<Ground> ground = space_ground_of(turn, seed, rng, report.faults);
-        if (ground != nullptr) push_on_ground(*ground, rng, report);
-      });
-  run_rounds(
-      plane::turns(options.only), Rng(options.seed << 20), options.steps, [&] { return report.pushes; },
-      [&](const plane::Turn& turn, uint64_t seed) {
-        Rng rng(seed);
-        std::string fault;
-        const std::unique_ptr<Ground> ground = plane_ground_of(turn, seed, rng, report.faults, fault);
-        if (ground != nullptr) return push_on_ground(*ground, rng, report);
-        report.wrong += fault.empty() ? 0 : 1;
-      });
+  const auto in_space = [&](const SweepTurn& turn, uint64_t seed) {
+    Rng rng(seed);
+    const std::unique_ptr<Ground> ground = space_ground_of(turn, seed, rng, report.faults);
+    if (ground != nullptr) push_on_ground(*ground, rng, report);
+  };
+  const auto in_plane = [&](const plane::Turn& turn, uint64_t seed) {
+    Rng rng(seed);
+    std::string fault;
+    const std::unique_ptr<Ground> ground = plane_ground_of(turn, seed, rng, report.faults, fault);
+    if (ground != nullptr) return push_on_ground(*ground, rng, report);
+    report.wrong += fault.empty() ? 0 : 1;
+  };
+  const std::vector<SweepTurn> space_turns = sweep_turns(options.only);
+  const std::vector<plane::Turn> plane_turns = plane::turns(options.only);
+  if (options.scene_seed != 0) {
+    for (const SweepTurn& turn : space_turns) in_space(turn, options.scene_seed);
+    for (const plane::Turn& turn : plane_turns) in_plane(turn, options.scene_seed);
+    return;
+  }
+  const auto done = [&] { return report.pushes; };
+  run_rounds(space_turns, Rng(options.seed << 20), (options.steps + 1) / 2, done, in_space);
+  run_rounds(plane_turns, Rng(options.seed << 20), options.steps, done, in_plane);
 }
 
 std::string to_json(const PushReport& r) {
   char number[40];
   std::snprintf(number, sizeof number, "%.17g", r.largest);
   std::string text = std::string("{\n  \"walls.gap_left_over_step\": ") + number;
-  const std::pair<const char*, uint64_t> figures[] = {{"walls.gaps_left", r.wide},
-                                                      {"walls.pushes", r.pushes},
-                                                      {"walls.rigid_pushes", r.rigid},
-                                                      {"walls.held", r.held},
-                                                      {"walls.moved_in_vain", r.moved_in_vain}};
+  const std::pair<const char*, uint64_t> figures[] = {
+      {"walls.gaps_left", r.wide}, {"walls.pushes", r.pushes}, {"walls.rigid_pushes", r.rigid},
+      {"walls.slides", r.slides},  {"walls.held", r.held},     {"walls.moved_in_vain", r.moved_in_vain}};
   for (const auto& [key, value] : figures) text += std::string(",\n  \"") + key + "\": " + std::to_string(value);
   return text + "\n}\n";
 }

@@ -12,6 +12,7 @@ struct PushReport {
   SweepReport faults;
   uint64_t pushes = 0;             // free ones, of which the gap is known
   uint64_t rigid = 0, points = 0;  // of rigid bodies, of particles
+  uint64_t slides = 0;             // walls that went by, and came no nearer up to rounding
   uint64_t held = 0;               // the wall waited
   uint64_t moved_in_vain = 0;      // and something was pushed nevertheless
   uint64_t wide = 0;               // gaps above the bar: 1e-9 of the step and 8 units in the last place
