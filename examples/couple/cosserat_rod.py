@@ -132,12 +132,14 @@ class Held:
                 self.rod.spin[0] = turn
 
     def slid_by(self, axis: Array, dt: float) -> float:
-        """How far an end that slides along an axis has gone: to where the rod pulls as hard as the load."""
+        """How far an end that slides along an axis has gone: to where the rod pulls as hard as the load. In a step only as much of the rod
+        gives way as a sound in it comes along."""
         wire = self.rod
         edge = wire.positions[self.last] - wire.positions[self.last - 1]
         length = float(np.linalg.norm(edge))
         pull = wire.stretching[self.last - 1] * (length / wire.rest_length[self.last - 1] - 1) * float(edge @ axis) / length
-        stiffness = wire.stretching[self.last - 1] / self.spec.length
+        sound = math.sqrt(self.spec.material.youngs_modulus / self.spec.material.density)
+        stiffness = wire.stretching[self.last - 1] / min(self.spec.length, max(sound * dt, wire.segment))
         self.slid += 0.25 * (float(self.load[self.last] @ axis) - pull) / stiffness
         return self.slid
 
