@@ -52,12 +52,11 @@ class RigidDeformTest : public RigidMotionsTest {
  protected:
   RigidDeformTest() : RigidMotionsTest(71) {}
 
-  /// @param motions of the walkers in their order; those that stand have one that does not count.
-  double first_touch(const Ground& ground, const std::vector<Walker>& walkers,
-                     const std::vector<dsw_rigid_motion>& motions) {
+  double first_touch(const Ground& ground, const Step& step) {
     const auto d = static_cast<size_t>(dimension());
+    const std::vector<Walker>& walkers = step.walkers;
     AllPairs all{d};
-    for (const dsw_rigid_motion& each : motions) {
+    for (const dsw_rigid_motion& each : step.motions) {
       const std::vector<double> numbers = numbers_of(each);
       all.motions.insert(all.motions.end(), numbers.begin(), numbers.end());
     }
@@ -70,7 +69,7 @@ class RigidDeformTest : public RigidMotionsTest {
         const auto features = ground.features(d + 1 - corners), parts = walkers[i].parts(corners);
         for (const auto& part : parts) {
           for (const auto& feature : features) {
-            all.add(side(i, part), {&ground.points, &ground.next, feature, UINT32_MAX});
+            all.add(side(i, part), {&step.from, &step.to, feature, UINT32_MAX});
           }
         }
         for (size_t j = 0; j < i; ++j) {
@@ -88,8 +87,8 @@ class RigidDeformTest : public RigidMotionsTest {
     size_t faults = 0;
   };
   /// What the call tells: the time, one for all contacts, and how many things are wrong.
-  Told told(const Ground& ground, dsw_scene* scene, const std::vector<Walker>& walkers,
-            const std::vector<dsw_move_report>& reports, const dsw_deform_report& report) {
+  Told told(const Stage& stage, const Step& step) {
+    const dsw_deform_report& report = step.report;
     Told told;
     const auto check = [&](bool ok) { told.faults += ok ? 0 : 1; };
     const auto add = [&](double time) {
@@ -98,25 +97,25 @@ class RigidDeformTest : public RigidMotionsTest {
     };
     const auto d = static_cast<size_t>(dimension());
     size_t at = 0;
-    for (const Walker& each : walkers) {
+    for (const Walker& each : step.walkers) {
       if (each.stands) continue;
       const dsw_body_contact* contacts = nullptr;
       size_t count = 0;
-      EXPECT_EQ(dsw_body_get_contacts(scene, each.id, &contacts, &count), DSW_STATUS_OK);
-      check(reports[at].fraction == report.fraction && reports[at].contact_count == count);
+      EXPECT_EQ(dsw_body_get_contacts(stage.scene.get(), each.id, &contacts, &count), DSW_STATUS_OK);
+      check(step.reports[at].fraction == report.fraction && step.reports[at].contact_count == count);
       ++at;
       for (size_t k = 0; k < count; ++k) add(contacts[k].time);
     }
     const dsw_wall_contact* walls = nullptr;
     size_t count = 0;
-    EXPECT_EQ(dsw_environment_get_wall_contacts(ground.environment.get(), &walls, &count), DSW_STATUS_OK);
+    EXPECT_EQ(dsw_environment_get_wall_contacts(stage.ground.environment.get(), &walls, &count), DSW_STATUS_OK);
     check(count == report.contact_count && report.held_count == 0);
     for (size_t k = 0; k < count; ++k) {
       add(walls[k].time);
       check(walls[k].response == DSW_WALL_STOP &&
             (walls[k].body.generation != 0) != (walls[k].particle.generation != 0));
-      check(std::equal(walls[k].from, walls[k].from + d, ground.points[walls[k].moving.index].begin()));
-      check(std::equal(walls[k].to, walls[k].to + d, ground.next[walls[k].moving.index].begin()));
+      check(std::equal(walls[k].from, walls[k].from + d, step.from[walls[k].moving.index].begin()));
+      check(std::equal(walls[k].to, walls[k].to + d, step.to[walls[k].moving.index].begin()));
     }
     check(report.outcome == (report.fraction == 1   ? DSW_DEFORM_DONE
                              : report.fraction == 0 ? DSW_DEFORM_REFUSED
@@ -131,35 +130,15 @@ TEST_P(RigidDeformTest, MissesNothingAndPassesNothing) {
   double worst = 0;
   const int rounds = effort_of(30);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
-    std::deque<std::vector<double>> arrays;
-    Ground ground = make(rng_);
-    ASSERT_NE(ground.environment, nullptr);
-    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS |
-                                                              (round % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0));
-    std::vector<Walker> walkers = make_walkers(scene.get(), 1 + rng_.below(3u), rng_.below(3u));
-    for (int step = 0; step < kSteps && !HasFailure(); ++step) {
-      choose_ends(ground, walkers);
-      std::vector<dsw_rigid_motion> motions, called;
-      std::vector<dsw_body_id> ids;
-      for (Walker& each : walkers) {
-        each.stands = each.stands || each.alone;
-        motions.push_back(motion_of(each));
-        if (each.stands) continue;
-        ids.push_back(each.id);
-        called.push_back(motions.back());
-      }
-      const double truth = first_touch(ground, walkers, motions);
-      // What is not valid is not entered: it is a wall that the pairs do not know.
-      const bool valid = all_stay_valid(ground, round % 4 == 0);
-      std::vector<double>& array = arrays.emplace_back();
-      for (const Vec& p : ground.next) array.insert(array.end(), p.begin(), p.begin() + dimension());
-      std::vector<dsw_move_report> reports(ids.size());
-      dsw_deform_report report = {};
-      ASSERT_EQ(dsw_scene_deform_rigid(scene.get(), array.data(), ground.next.size(), ids.data(), ids.size(),
-                                       called.data(), nullptr, &report, reports.data()),
-                DSW_STATUS_OK)
-          << dsw_last_error_message();
-      const Told answer = told(ground, scene.get(), walkers, reports, report);
+    Stage stage(make(rng_), DSW_FEATURE_BODY_CONTACTS | (round % 2 == 0 ? DSW_FEATURE_LIVE_CHANGES : 0));
+    ASSERT_NE(stage.ground.environment, nullptr);
+    stage.walkers = make_walkers(stage.scene.get(), 1 + rng_.below(3u), rng_.below(3u));
+    for (int i = 0; i < kSteps && !HasFailure(); ++i) {
+      const Step step = make_step(stage, round % 4 == 0);
+      const double truth = first_touch(stage.ground, step);
+      const Told answer = told(stage, step);
+      const dsw_deform_report& report = step.report;
+      const bool valid = step.valid;  // what is not is not entered: it is a wall that the pairs do not know
       const bool halved = report.invalid_count != 0, touched = answer.first <= 1;
       ++moves;
       stops += touched ? 1 : 0;
@@ -179,19 +158,13 @@ TEST_P(RigidDeformTest, MissesNothingAndPassesNothing) {
         false_stops += touched || (!halved && report.fraction != 1) ? 1 : 0;
       }
       EXPECT_EQ(answer.faults + missed + false_stops + wrong_time + passed + silent, 0u)
-          << "round " << round << " step " << step << " truth " << truth << " told " << answer.first << " fraction "
+          << "round " << round << " step " << i << " truth " << truth << " told " << answer.first << " fraction "
           << report.fraction << " outcome " << report.outcome << " invalid " << report.invalid_count;
-      ground.points = points_read(ground.environment.get(), dimension());
-      std::vector<BodyState> after;
-      for (Walker& each : walkers) {
-        const std::vector<Vec> before = each.state.at;
-        read_walker(scene.get(), each, each.state);
-        faults += each.stands && each.state.at != before ? 1 : 0;
-        each.end = each.state.at;
-        after.push_back(each.state);
+      for (size_t k = 0; k < step.walkers.size(); ++k) {
+        faults += step.walkers[k].stands && step.after[k].at != step.walkers[k].state.at ? 1 : 0;
       }
-      ground.next.clear();
-      occupied += misplaced(ground, after, !halved) + (rng_.chance(0.5) ? not_free(scene.get(), walkers) : 0);
+      occupied += misplaced(stage.ground, step.after, !halved) +
+                  (rng_.chance(0.5) ? not_free(stage.scene.get(), stage.walkers) : 0);
       if (!valid) break;  // what has turned over stays so
     }
   }

@@ -102,6 +102,18 @@ class ThickRigidDeformTest : public RigidMotionsTest {
     }
     return all;
   }
+  /// How many distances at the end are certainly smaller than they may be.
+  size_t count_broken(const Stage& stage, const std::vector<double>& radii) {
+    const Course still(stage.ground.points, stage.ground.points);
+    std::vector<Course> now;
+    for (const Walker& each : stage.walkers) now.emplace_back(each.state.at, each.state.at);
+    size_t broken = 0;
+    for (const Distance& each : distances(stage.ground, stage.walkers, radii, still, now)) {
+      const Limit limit(mpq_class(each.wanted), less_by(34));
+      broken += is_nearer(each.a->hull(each.part, 0), each.b->hull(each.other, 0), limit) ? 1 : 0;
+    }
+    return broken;
+  }
   /// All that has a distance to keep.
   std::vector<Distance> distances(const Ground& ground, const std::vector<Walker>& walkers,
                                   const std::vector<double>& radii, const Course& points,
@@ -133,77 +145,45 @@ TEST_P(ThickRigidDeformTest, KeepsAllDistancesOnTheWay) {
   // In the plane a step that is taken back, with something that stands, comes once in about 40 rounds.
   const int rounds = effort_of(std::string(GetParam().name) == "PlaneEdges" ? 45 : 6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
-    std::deque<std::vector<double>> arrays;
-    Ground ground = make(rng_);
-    ASSERT_NE(ground.environment, nullptr);
-    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
-    std::vector<Walker> walkers = make_walkers(scene.get(), 1 + rng_.below(3u), rng_.below(2u));
-    const std::vector<double> radii = thicken(scene.get(), walkers);
+    Stage stage(make(rng_), DSW_FEATURE_BODY_CONTACTS);
+    ASSERT_NE(stage.ground.environment, nullptr);
+    stage.walkers = make_walkers(stage.scene.get(), 1 + rng_.below(3u), rng_.below(2u));
+    const std::vector<double> radii = thicken(stage.scene.get(), stage.walkers);
     for (const double each : radii) thick += each > 0 ? 1 : 0;
-    for (int step = 0; step < kSteps && !HasFailure(); ++step) {
-      choose_ends(ground, walkers);
-      std::vector<dsw_rigid_motion> called;
-      std::vector<dsw_body_id> ids;
-      std::vector<Course> courses;
-      for (Walker& each : walkers) {
-        each.stands = each.stands || each.alone;
-        const dsw_rigid_motion motion = motion_of(each);
-        courses.push_back(each.stands ? Course(each.state.at, each.state.at)
-                                      : Course(each.state.at, numbers_of(motion)));
-        if (each.stands) continue;
-        ids.push_back(each.id);
-        called.push_back(motion);
-      }
-      const Course points(ground.points, ground.next);
-      const bool valid = all_stay_valid(ground, false);
-      std::vector<double>& array = arrays.emplace_back();
-      for (const Vec& p : ground.next) array.insert(array.end(), p.begin(), p.begin() + dimension());
-      std::vector<dsw_move_report> reports(ids.size());
-      dsw_deform_report report = {};
-      ASSERT_EQ(dsw_scene_deform_rigid(scene.get(), array.data(), ground.next.size(), ids.data(), ids.size(),
-                                       called.data(), nullptr, &report, reports.data()),
-                DSW_STATUS_OK)
-          << dsw_last_error_message();
+    for (int i = 0; i < kSteps && !HasFailure(); ++i) {
+      const Step step = make_step(stage, false);
+      const dsw_deform_report& report = step.report;
       size_t contacts = report.contact_count;
-      for (const dsw_move_report& each : reports) contacts += each.contact_count;
+      for (const dsw_move_report& each : step.reports) contacts += each.contact_count;
       ++moves;
       whole += report.fraction == 1 ? 1 : 0;
       stops += contacts != 0 ? 1 : 0;
-      silent += valid && report.fraction < 1 && contacts == 0 && report.invalid_count == 0 ? 1 : 0;
+      silent += step.valid && report.fraction < 1 && contacts == 0 && report.invalid_count == 0 ? 1 : 0;
+      const Course points(step.from, step.to);
+      std::vector<Course> courses;
+      for (size_t k = 0; k < step.walkers.size(); ++k) {
+        const Walker& each = step.walkers[k];
+        courses.push_back(each.stands ? Course(each.state.at, each.state.at)
+                                      : Course(each.state.at, numbers_of(step.motions[k])));
+      }
       // What a volume that turns over brings near is another matter.
       const std::vector<Distance> all =
-          valid ? distances(ground, walkers, radii, points, courses) : std::vector<Distance>();
+          step.valid ? distances(stage.ground, step.walkers, radii, points, courses) : std::vector<Distance>();
       double least = 1e9;
       for (const Distance& each : all) {
         broken += each.breaks(report.fraction) ? 1 : 0;
         least = std::min(least, each.at(report.fraction).high / each.wanted - 1);
       }
-      ground.points = points_read(ground.environment.get(), dimension());
-      std::vector<BodyState> after;
-      std::vector<Course> now;
-      for (Walker& each : walkers) {
-        read_walker(scene.get(), each, each.state);
-        each.end = each.state.at;
-        after.push_back(each.state);
-        now.emplace_back(each.state.at, each.state.at);
-      }
-      const Course still(ground.points, ground.points);
-      for (const Distance& each : valid ? distances(ground, walkers, radii, still, now) : std::vector<Distance>()) {
-        broken_after += is_nearer(each.a->hull(each.part, 0), each.b->hull(each.other, 0),
-                                  Limit(mpq_class(each.wanted), less_by(34)))
-                            ? 1
-                            : 0;
-      }
+      broken_after += step.valid ? count_broken(stage, radii) : 0;
       EXPECT_EQ(broken + broken_after + silent, 0u)
-          << "round " << round << " step " << step << " fraction " << report.fraction << " contacts " << contacts;
+          << "round " << round << " step " << i << " fraction " << report.fraction << " contacts " << contacts;
       // A stop of thin parts is no matter of distances.
       if (contacts != 0 && least < 1e8) {
         widest = std::max(widest, least);
         wide += least > 1e-6 ? 1 : 0;
       }
-      ground.next.clear();
-      occupied += misplaced(ground, after, valid) + not_free(scene.get(), walkers);
-      if (!valid) break;  // what has turned over stays so
+      occupied += misplaced(stage.ground, step.after, step.valid) + not_free(stage.scene.get(), stage.walkers);
+      if (!step.valid) break;  // what has turned over stays so
     }
   }
   std::printf(
@@ -233,65 +213,33 @@ TEST_P(ThickRigidDeformTest, BodiesThatGoOnStayFreeAndRigid) {
   double gained = 0;
   const int rounds = effort_of(6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
-    std::deque<std::vector<double>> arrays;
-    Ground ground = make(rng_);
-    ASSERT_NE(ground.environment, nullptr);
-    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_BODY_CONTACTS);
-    std::vector<Walker> walkers = make_walkers(scene.get(), 1 + rng_.below(2u), 0);
+    Stage stage(make(rng_), DSW_FEATURE_BODY_CONTACTS);
+    ASSERT_NE(stage.ground.environment, nullptr);
+    stage.walkers = make_walkers(stage.scene.get(), 1 + rng_.below(2u), 0);
     const std::vector<double> radii =
-        round % 2 == 0 ? std::vector<double>(walkers.size()) : thicken(scene.get(), walkers);
-    for (int step = 0; step < kSteps && !HasFailure(); ++step) {
-      choose_ends(ground, walkers);
-      std::vector<dsw_rigid_motion> called;
-      std::vector<dsw_body_id> ids;
-      for (Walker& each : walkers) {
-        each.stands = false;
-        ids.push_back(each.id);
-        called.push_back(motion_of(each));
-      }
-      const bool valid = all_stay_valid(ground, false);
-      std::vector<double>& array = arrays.emplace_back();
-      for (const Vec& p : ground.next) array.insert(array.end(), p.begin(), p.begin() + dimension());
-      std::vector<dsw_move_report> reports(ids.size());
-      dsw_deform_report report = {};
+        round % 2 == 0 ? std::vector<double>(stage.walkers.size()) : thicken(stage.scene.get(), stage.walkers);
+    for (int i = 0; i < kSteps && !HasFailure(); ++i) {
       dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
       options.stop = DSW_TOGETHER_STOP_FEATURE;
       options.response = DSW_TOGETHER_RESPONSE_SLIDE;
-      ASSERT_EQ(dsw_scene_deform_rigid(scene.get(), array.data(), ground.next.size(), ids.data(), ids.size(),
-                                       called.data(), &options, &report, reports.data()),
-                DSW_STATUS_OK)
-          << dsw_last_error_message();
+      const Step step = make_step(stage, false, &options);
+      const dsw_deform_report& report = step.report;
       ++moves;
-      const double first = reports[0].fraction;
-      for (const dsw_move_report& each : reports) faults += each.fraction != first ? 1 : 0;
+      const double first = step.reports[0].fraction;
+      for (const dsw_move_report& each : step.reports) faults += each.fraction != first ? 1 : 0;
       faults += report.fraction < first || (first == 1 && report.contact_count != 0) ? 1 : 0;
       stops += first < 1 ? 1 : 0;
       went_on += report.fraction > first ? 1 : 0;
       arrived += first < 1 && report.fraction == 1 ? 1 : 0;
       gained += first < 1 ? (report.fraction - first) / (1 - first) : 0;
-      ground.points = points_read(ground.environment.get(), dimension());
-      std::vector<BodyState> after;
-      std::vector<Course> now;
-      for (Walker& each : walkers) {
-        const BodyState before = each.state;
-        read_walker(scene.get(), each, each.state);
-        each.end = each.state.at;
-        bent += bent_by(before, each.state) > 1e-12 ? 1 : 0;
-        after.push_back(each.state);
-        now.emplace_back(each.state.at, each.state.at);
+      for (size_t k = 0; k < step.walkers.size(); ++k) {
+        bent += bent_by(step.walkers[k].state, step.after[k]) > 1e-12 ? 1 : 0;
       }
-      const Course still(ground.points, ground.points);
-      for (const Distance& each : valid ? distances(ground, walkers, radii, still, now) : std::vector<Distance>()) {
-        broken += is_nearer(each.a->hull(each.part, 0), each.b->hull(each.other, 0),
-                            Limit(mpq_class(each.wanted), less_by(34)))
-                      ? 1
-                      : 0;
-      }
-      ground.next.clear();
-      occupied += misplaced(ground, after, valid) + not_free(scene.get(), walkers);
+      broken += step.valid ? count_broken(stage, radii) : 0;
+      occupied += misplaced(stage.ground, step.after, step.valid) + not_free(stage.scene.get(), stage.walkers);
       EXPECT_EQ(broken + occupied + bent + faults, 0u)
-          << "round " << round << " step " << step << " fraction " << report.fraction << " after " << first;
-      if (!valid) break;  // what has turned over stays so
+          << "round " << round << " step " << i << " fraction " << report.fraction << " after " << first;
+      if (!step.valid) break;  // what has turned over stays so
     }
   }
   std::printf(
