@@ -142,21 +142,52 @@ inline bool is_overlapped(const Place& place, const std::vector<int>& obstacle, 
   return false;
 }
 
-/// Whether exact casts lead from the first vertex of a part to the part's point, and on to the obstacle, through passable
-/// volumes, the last of which has the obstacle. The points are rounded. Where volumes overlap, a wall on the way may be of a
-/// volume that is not on it, and hides nothing.
+/// Six times the volume of a tetrahedron, with its sign.
+inline mpq_class volume6(const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
+  const auto from_a = [&](const Vec& p, size_t k) { return mpq_class(mpq_class(p[k]) - a[k]); };
+  mpq_class sum = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    sum += from_a(d, k) * (from_a(b, i) * from_a(c, j) - from_a(b, j) * from_a(c, i));
+  }
+  return sum;
+}
+
+/// The volume to which a straight way leads that begins in a volume; -1: it meets something impassable. Exact. Only volumes
+/// on the way are looked at, so others may overlap them; a volume need not be convex.
+inline int follow(const World& world, int cell, const Vec& from, const Vec& to) {
+  const auto point = [&](int v) -> const Vec& { return world.mesh.points[static_cast<size_t>(v)]; };
+  for (mpq_class at = 0;;) {
+    const Triangle* exit = nullptr;
+    mpq_class first = 1;
+    for (const int t : world.cell_triangles[static_cast<size_t>(cell)]) {
+      const Triangle& each = world.triangles[static_cast<size_t>(t)];
+      const Vec &a = point(each.v[0]), &b = point(each.v[1]), &c = point(each.v[2]);
+      const mpq_class before = volume6(a, b, c, from), behind = volume6(a, b, c, to), way = behind - before;
+      if (sgn(way) * (each.cell[0] == cell ? 1 : -1) <= 0) continue;
+      const mpq_class time = -before / way;
+      if (time <= at || time >= first) continue;
+      const int sides[] = {sgn(volume6(from, to, a, b)), sgn(volume6(from, to, b, c)), sgn(volume6(from, to, c, a))};
+      if (*std::min_element(sides, sides + 3) < 0 && *std::max_element(sides, sides + 3) > 0) continue;
+      exit = &each;
+      first = time;
+    }
+    if (exit == nullptr) return cell;
+    if (world.impassable(exit->face)) return -1;
+    cell = exit->cell[exit->cell[0] == cell ? 1 : 0];
+    at = first;
+  }
+}
+
+/// Whether a way leads from the first vertex of a part to the part's point, and on to the obstacle, through passable volumes,
+/// the last of which has the obstacle. The points are rounded. Where volumes overlap, a wall on the way may be of a volume
+/// that is not on it, and hides nothing.
 inline bool is_reached(const Place& place, const BodyState& state, const std::vector<int>& part,
                        const std::vector<int>& obstacle, const NearTruth::Row& row) {
-  World& world = *place.world;
   const auto first = static_cast<size_t>(part[0]);
-  auto cell = static_cast<int>(state.volumes[first].index);
-  Vec at = state.at[first];
-  for (const Vec& to : {Vec(row.point), between(row.obstacle_point, row.point, 0x1p-30)}) {
-    const Walk walk = world.cast(world.body(at.data()), world.body(to.data()), cell);
-    if (at != to && walk.outcome != Walk::kReached) return false;
-    cell = at == to ? cell : walk.cell;
-    at = to;
-  }
+  int cell = follow(*place.world, static_cast<int>(state.volumes[first].index), state.at[first], row.point);
+  if (cell >= 0) cell = follow(*place.world, cell, row.point, between(row.obstacle_point, row.point, 0x1p-30));
+  if (cell < 0) return false;
   const std::vector<int> vertices = corners_of(place.mesh.cells[static_cast<size_t>(cell)]);
   return std::includes(vertices.begin(), vertices.end(), obstacle.begin(), obstacle.end());
 }
