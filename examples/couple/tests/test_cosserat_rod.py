@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import pathlib
 import sys
 
+import numpy as np
 import pytest
 
 bench = pytest.importorskip("cosseratbench.experiment")
@@ -25,3 +27,11 @@ def test_a_scene(scene: str, bars: dict[str, float]) -> None:
     assert result.outcome == "completed"
     told = {**result.metrics, **result.observations}
     assert {name: told[name] for name, bar in bars.items() if not told[name] <= bar} == {}
+
+
+def test_an_end_that_slides_along_its_axis_stays_where_the_load_holds_it() -> None:
+    scenario = dataclasses.replace(registry.load_experiment("twist").scenario, duration=1.0)
+    trajectory = DartsweepSolver().run(scenario, n_elements=50, n_frames=11)
+    for rod, positions in zip(scenario.rods, trajectory.positions):
+        moved = np.abs(positions - positions[0]).max()
+        assert moved < 1e-2 * rod.length, "the rod is pulled to and fro"
