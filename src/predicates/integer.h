@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "predicates/ball.h"
 #include "predicates/integers.h"
 #include "predicates/wide_int.h"
 
@@ -81,6 +82,15 @@ struct Integer {
 
   int sign() const noexcept { return size == 0 ? 0 : negative ? -1 : 1; }
   int bit_length() const noexcept { return limbs::bit_length(limb, size); }
+
+  // The highest 128 bits.
+  Ball ball() const noexcept {
+    if (size == 0) return {};
+    const int low = bit_length() - 128;
+    const Uint128 magnitude =
+        static_cast<Uint128>(limbs::bits_from(limb, size, low + 64)) << 64 | Uint128(limbs::bits_from(limb, size, low));
+    return {magnitude, low, negative, limbs::any_below(limb, size, low) ? 1.0 : 0.0};
+  }
 
   // The value divided by 2^drop, with a relative error below 2^-52.
   double scaled(int drop) const noexcept {

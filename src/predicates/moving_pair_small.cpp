@@ -11,8 +11,6 @@ namespace dsw {
 
 namespace {
 
-constexpr int kMostSpan = 60;
-
 // A curve whose coefficients have N words. At a double t that is a multiple of 2^-64 its value has Degree words more.
 template <int Degree, int N>
 class MachineCurve {
@@ -48,6 +46,12 @@ class MachineCurve {
   }
 
   int sure_sign(double t) const noexcept { return rough().sure_sign(t); }
+
+  // A coefficient of t^i.
+  const auto& power(int i) const noexcept {
+    find_power();
+    return power_[i];
+  }
 
   int sign_at(double t) const noexcept {
     const integers::Decoded d = integers::decode(t);
@@ -206,6 +210,27 @@ class SmallCurves {
   Length length_[D][D + 1][D + 1];
 };
 
+template <int N>
+Integer integer_of(IntegerPool& pool, const FixedInt<N>& x) {
+  const FixedInt<N> magnitude = x.is_negative() ? -x : x;
+  int size = N;
+  while (size > 0 && magnitude.limb[size - 1] == 0) --size;
+  if (size == 0) return {};
+  std::uint64_t* const r = pool.room(size);
+  for (int i = 0; i < size; ++i) r[i] = magnitude.limb[i];
+  pool.keep(size);
+  return {&pool, r, size, x.is_negative()};
+}
+
+template <class Curve>
+Polynomial polynomial_of(IntegerPool& pool, const Curve& curve) {
+  Polynomial p;
+  p.degree = curve.degree();
+  for (int i = 0; i <= p.degree; ++i) p.c[i] = integer_of(pool, curve.power(i));
+  p.trim();
+  return p;
+}
+
 }  // namespace
 
 template <int D>
@@ -216,11 +241,28 @@ bool small_first_touch(const MovingPair<D>& pair, FirstTouch* first) noexcept {
     points[D + 1 + i] = pair.end[i];
   }
   const integers::Span<D> span(points);
-  if (span.width > kMostSpan) return false;
+  if (span.width > kMostSmallSpan) return false;
   SmallCurves<D> curves(pair, span.low);
   return QuickTouch<D, SmallCurves<D>>(curves, pair.kind).find_first(first);
 }
 
+template <int D>
+DSW_COLD Polynomial SmallPoints<D>::difference(IntegerPool& pool, int axis, int i, int j) const {
+  return polynomial_of(pool, SmallCurves<D>(pair_, low_).difference(axis, i, j));
+}
+
+template <int D>
+DSW_COLD Polynomial SmallPoints<D>::area(IntegerPool& pool, int view, int triangle) const {
+  return polynomial_of(pool, SmallCurves<D>(pair_, low_).area(view, triangle));
+}
+
+template <int D>
+DSW_COLD Polynomial SmallPoints<D>::volume(IntegerPool& pool) const {
+  return polynomial_of(pool, SmallCurves<D>(pair_, low_).volume());
+}
+
+template class SmallPoints<2>;
+template class SmallPoints<3>;
 template bool small_first_touch(const MovingPair<2>&, FirstTouch*) noexcept;
 template bool small_first_touch(const MovingPair<3>&, FirstTouch*) noexcept;
 

@@ -13,6 +13,8 @@ namespace {
 using integers::bits_of;
 using integers::of_bits;
 
+constexpr int kManyLimbs = 6;
+
 // Sign of p at the zero of a polynomial of degree 1.
 int sign_at_zero(const Polynomial& p, const Polynomial& line) {
   if (p.degree < 0) return 0;
@@ -20,12 +22,20 @@ int sign_at_zero(const Polynomial& p, const Polynomial& line) {
   const Integer numerator = falls ? line.c[0] : -line.c[0];
   Integer denominator = line.c[1];
   denominator.negative = false;
-  Integer sum = p.c[p.degree], weight = denominator;
-  for (int i = p.degree - 1; i >= 0; --i) {
-    sum = sum * numerator + p.c[i] * weight;
-    if (i > 0) weight = weight * denominator;
+  const auto sign_of = [&](const auto& leading, const auto& above, const auto& below, auto coefficient) {
+    auto sum = leading, weight = below;
+    for (int i = p.degree - 1; i >= 0; --i) {
+      sum = sum * above + coefficient(i) * weight;
+      if (i > 0) weight = weight * below;
+    }
+    return sum.sign();
+  };
+  if (denominator.size > kManyLimbs) {
+    const int sign =
+        sign_of(p.c[p.degree].ball(), numerator.ball(), denominator.ball(), [&](int i) { return p.c[i].ball(); });
+    if (sign != kOpenSign) return sign;
   }
-  return sum.sign();
+  return sign_of(p.c[p.degree], numerator, denominator, [&](int i) { return p.c[i]; });
 }
 
 // A sequence of Sturm: each member is a negative multiple of the remainder of the two before, down to the last that is not 0.
@@ -183,24 +193,25 @@ class RootFinder {
     if (before != after) refine(low, high);
   }
 
-  // A time between two roots, of which there are at least two between low and high: near to where p turns, which takes some steps of
-  // Narrowing where halving takes one for each bit. Where this is not near a single turn or bend: half way.
+  // A time between two roots, of which there are two or three between low and high: next to where p turns or bends, which takes some
+  // steps of Narrowing where halving takes one for each bit. Where this is not near a single turn or bend: half way.
   Dyadic between_roots(const Dyadic& low, const Dyadic& high, int before, int after) {
+    const int count = before - after, sign_low = sign_after(pool_, p_, low);
+    const auto is_between = [&](const Dyadic& time) {
+      if (count == 2 && sign_at(p_, time) == sign_low) return false;
+      const int here = sturm_->variations(time);
+      return here != before && here != after;
+    };
     Root turn;
-    turn.of = p_;
-    turn.low = low;
-    turn.high = high;
-    while (turn.of.degree > 1) {
-      turn.of = derivative(pool_, turn.of);
-      if (sign_at(turn.of, low) * sign_at(turn.of, high) >= 0) continue;
-      Narrowing narrow(pool_, turn);
-      while (true) {
+    turn.of = derivative(pool_, p_);
+    if (count == 3) turn.of = derivative(pool_, turn.of);
+    if (sign_at(turn.of, low) * sign_at(turn.of, high) < 0) {
+      turn.low = low;
+      turn.high = high;
+      for (Narrowing narrow(pool_, turn); !narrow.is_exact();) {
         narrow.step();
-        for (const Dyadic* end : {&narrow.low(), &narrow.high()}) {
-          const int between = sturm_->variations(*end);
-          if (between != before && between != after) return *end;
-        }
-        if (narrow.is_exact() || sturm_->variations(narrow.low()) == sturm_->variations(narrow.high())) break;
+        if (is_between(narrow.low())) return narrow.low();
+        if (is_between(narrow.high())) return narrow.high();
       }
     }
     return half_way(low, high);
@@ -328,10 +339,19 @@ int sign_at(const Polynomial& p, const Root& root) {
   if (root.is_low) return sign_at(p, root.low);
   const int sure = Rounded(p).sure_sign(root.floor);
   if (sure != 0) return sure;
+  {
+    IntegerPool& pool = pool_of(root.of);
+    const IntegerPool::Scope scope(pool);
+    const int clear = clear_sign(pool, p, root.low, root.high);
+    if (clear != 0) return clear;
+  }
+  return sign_by_division(p, root);
+}
+
+int sign_by_division(const Polynomial& p, const Root& root) {
+  if (p.degree <= 0) return p.degree < 0 ? 0 : p.c[0].sign();
   IntegerPool& pool = pool_of(root.of);
   const IntegerPool::Scope scope(pool);
-  const int clear = clear_sign(pool, p, root.low, root.high);
-  if (clear != 0) return clear;
   if (p.degree > 3 || root.of.degree > 3) return sign_by_divisor(pool, p, root);
   const Polynomial rest = p.degree < root.of.degree ? p : remainder(p, root.of);
   if (rest.degree < 2) return sign_of_line(pool, rest, root);

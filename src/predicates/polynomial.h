@@ -46,6 +46,8 @@ Root root_at_start();
 
 // Sign of p at the root.
 int sign_at(const Polynomial& p, const Root& root);
+// The same where p may be 0 at the root, which is not its `low`: that is asked first.
+int sign_by_division(const Polynomial& p, const Root& root);
 
 // Sign of a - b.
 int compare(const Root& a, const Root& b);

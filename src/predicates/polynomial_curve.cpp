@@ -4,15 +4,6 @@ namespace dsw {
 
 namespace {
 
-// The highest 128 bits.
-Ball ball_of(const Integer& x) noexcept {
-  if (x.size == 0) return {};
-  const int low = x.bit_length() - 128;
-  const Uint128 magnitude = static_cast<Uint128>(limbs::bits_from(x.limb, x.size, low + 64)) << 64 |
-                            Uint128(limbs::bits_from(x.limb, x.size, low));
-  return {magnitude, low, x.negative, limbs::any_below(x.limb, x.size, low) ? 1.0 : 0.0};
-}
-
 Dyadic hidden_time(IntegerPool& pool, const bernstein::Place& place, double length) {
   Dyadic time = polynomials::dyadic_of(pool, length);
   time.shift -= place.power;
@@ -30,7 +21,7 @@ PolynomialCurve::PolynomialCurve(IntegerPool& pool, const Polynomial& p)
   }
   int top = 0;
   for (int i = 0; i <= degree_; ++i) {
-    ball_[i] = ball_of(c_[i]);
+    ball_[i] = c_[i].ball();
     const int length = c_[i].bit_length();
     top = length > top ? length : top;
   }
@@ -63,12 +54,24 @@ int PolynomialCurve::sign_at_root(const PolynomialCurve& of, const bernstein::Pl
     root.low = polynomials::dyadic_of(pool_, place.floor);
     root.high = polynomials::dyadic_of(pool_, integers::of_bits(integers::bits_of(place.floor) + 1));
   }
-  return dsw::sign_at(p_, root);
+  // What lies around a root that is not hidden was looked at with 128 bits.
+  return place.is_hidden ? dsw::sign_at(p_, root) : sign_by_division(p_, root);
 }
 
 int PolynomialCurve::sure_sign(double t) const {
   const int sign = rough_.sure_sign(t);
   return sign != kOpenSign ? sign : bernstein::value_at(*this, bernstein::ball_from(t)).sign();
+}
+
+Ball rough_discriminant(const PolynomialCurve& curve) {
+  // With x = t / (1-t) the curve is a polynomial in x, and its discriminant is the same.
+  const Ball c[] = {curve.ball(0), curve.ball(1), curve.ball(2)}, four = dsw::ball_of(4);
+  if (curve.degree() == 2) return c[1] * c[1] - four * (c[0] * c[2]);
+  const Ball d = curve.ball(3), three = dsw::ball_of(3), nine = dsw::ball_of(9);
+  // See Hessian in polynomial_parts.cpp.
+  const Ball first = c[1] * c[1] - three * (c[0] * c[2]), middle = c[1] * c[2] - nine * (c[0] * d),
+             last = c[2] * c[2] - three * (c[1] * d);
+  return four * (first * last) - middle * middle;
 }
 
 }  // namespace dsw

@@ -31,6 +31,9 @@ class PolynomialCurve {
   bernstein::RoughCurve rough_;
 };
 
+// The discriminant of a curve of degree 2 or 3, times a positive number.
+Ball rough_discriminant(const PolynomialCurve& curve);
+
 // The curves of Points, which ExactTouch explains.
 template <int D, class Points>
 class PolynomialCurves {
@@ -52,6 +55,8 @@ class PolynomialCurves {
   int discriminant(const PolynomialCurve& curve) {
     const int degree = curve.polynomial().degree;
     if (degree != 2 && degree != 3) return kOpenSign;
+    const int sign = rough_discriminant(curve).sign();
+    if (sign != kOpenSign) return sign;
     const IntegerPool::Scope scope(pool_);
     return polynomials::discriminant(pool_, curve.polynomial()).sign();
   }

@@ -45,6 +45,13 @@ class QuickTouch {
   static constexpr Place kStart = {0, true}, kEnd = {1, true};
   static constexpr int kViews = D == 3 ? 3 : 1;
 
+  struct AreaSigns {
+    int of[kViews][4];
+    AreaSigns() noexcept {
+      for (auto& view : of) view[0] = view[1] = view[2] = view[3] = kOpenSign;
+    }
+  };
+
   static bool answer(const Place& place, FirstTouch* first) {
     *first = {true, place.floor, place.is_exact};
     return true;
@@ -75,8 +82,9 @@ class QuickTouch {
   // Whether the pair touches at a root of a curve, where the volume is 0.
   template <class Curve>
   Answer touches(const Place& place, const Curve& of) {
-    const Answer first = touches(place, of, false);
-    return first == Answer::kOpen ? touches(place, of, true) : first;
+    AreaSigns signs;
+    const Answer first = touches(place, of, false, signs);
+    return first == Answer::kOpen ? touches(place, of, true, signs) : first;
   }
 
   // The sign of a curve at a root of another one; with_ties also where it may be 0.
@@ -87,22 +95,25 @@ class QuickTouch {
     return sign == kOpenSign && with_ties ? curve.sign_at_root(of, place) : sign;
   }
 
+  // with_ties: signs that are still open are asked again.
   template <class Curve>
-  Answer touches(const Place& place, const Curve& of, bool with_ties) {
+  Answer touches(const Place& place, const Curve& of, bool with_ties, AreaSigns& signs) {
     if constexpr (D == 3) {
       bool all_zero = true;
       for (int view = 0; view < 3; ++view) {
-        int sign[4];
+        int(&sign)[4] = signs.of[view];
         bool any = false, is_open = false;
-        for (int i = 0; i < 4; ++i) {
-          sign[i] = sign_at(curves_.area(view, i), place, of, with_ties);
+        for (int i = 3; i >= 0; --i) {  // the triangle of a vertex and a triangle first
+          if (sign[i] == kOpenSign) {
+            const auto& area = curves_.area(view, i);
+            sign[i] = with_ties ? area.sign_at_root(of, place) : sign_at(area, place, of, false);
+          }
+          if (known_areas_part(sign)) return Answer::kNo;
           is_open = is_open || sign[i] == kOpenSign;
           any = any || (sign[i] != 0 && sign[i] != kOpenSign);
         }
         all_zero = all_zero && !any && !is_open;
-        if (!any) continue;
-        if (!is_open) return exact_touch::areas_part(kind_, sign) ? Answer::kNo : Answer::kYes;
-        if (known_areas_part(sign)) return Answer::kNo;
+        if (any && !is_open) return exact_touch::areas_part(kind_, sign) ? Answer::kNo : Answer::kYes;
       }
       if (!all_zero) return Answer::kOpen;
     }

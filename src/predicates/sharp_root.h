@@ -19,7 +19,7 @@ struct SharpCurve {
     int top = INT32_MIN, binomial = 1;
     for (int i = 0; i <= degree; ++i) {
       const Ball ball = curve.ball(i);
-      if (ball.magnitude != Uint128(0) && ball.exponent > top) top = ball.exponent;
+      if (!(ball.magnitude == Uint128(0)) && ball.exponent > top) top = ball.exponent;
     }
     for (int i = 0; i <= degree; ++i) {
       c[i] = quotient(rounded(curve.ball(i), top), binomial);
