@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
 
 import dartsweep as ds
 from mujoco_cable import LINK, RADIUS, SPEED, TIME_STEP, cable, cable_points, insert
+from mujoco_sdf import run
 from vessel import BORE, LAYER, tube, winding_axis
 
 
@@ -47,3 +48,7 @@ def test_mujoco_alone_does_not_hold_it() -> None:
         _, locations = environment.locate_points(cable_points(data))
     outside = np.count_nonzero(locations == ds.Location.OUTSIDE)
     assert outside > 0.9 * links
+
+
+def test_a_signed_distance_field_is_hollow() -> None:
+    assert [inside for _, inside, _ in run(links=40, marks=[0, 20])] == [41, 41]
