@@ -46,7 +46,7 @@ Root root_at_start();
 
 // Sign of p at the root.
 int sign_at(const Polynomial& p, const Root& root);
-// The same where p may be 0 at the root, which is not its `low`: that is asked first.
+// Sign of p at a root that is not its `low`, found by division: whether p is 0 there is asked first.
 int sign_by_division(const Polynomial& p, const Root& root);
 
 // Sign of a - b.

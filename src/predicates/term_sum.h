@@ -61,7 +61,7 @@ class TermSum {
                  static_cast<std::uint64_t>(high >> 64), a.shift + b.shift, (negative != a.negative) != b.negative);
   }
 
-  // Of the same size.
+  // Takes away another sum, which has the same size.
   void subtract(const TermSum& other) noexcept {
     for (int i = 0; i < size_; ++i) digit_[i] -= other.digit_[i];
   }
