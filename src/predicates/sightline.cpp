@@ -146,6 +146,45 @@ filter::Vec<3> widened(const filter::Vec<3>& m, const double* by) noexcept {
 }
 filter::Vec<2> widened(const filter::Vec<2>& m, const double* by) noexcept { return {m.x + by[0], m.y + by[1]}; }
 
+/** Finds a foot in doubles, with bounds that hold for any vectors of this length. False: they are too wide, or the numbers
+ * too large or small. Let m be at least all components of u, v and r, e = 2^-53. Rounded differences are off by e m, dot
+ * products of up to 3 m^2 by less than 16 e m^2, and products of two of these, less one another, of up to 18 m^4, by less
+ * than 256 e m^4. Times a component they are off by less than 320 e m^5. A foot on a triangle adds two of them. */
+template <int D>
+bool find_foot(const SimplexPoints& of, const SimplexPoints& to, double* way, double* error) noexcept {
+  using filter::difference, filter::dot;
+  const auto r = difference<D>(to.at[0], of.at[0]), u = difference<D>(of.at[1], of.at[0]);
+  const bool is_line_alone = of.count == 2 && to.count == 1;
+  const auto v = is_line_alone   ? u
+                 : of.count == 3 ? difference<D>(of.at[2], of.at[0])
+                                 : difference<D>(to.at[1], to.at[0]);
+  const double m = filter::highest(filter::extent(r, u, v));
+  if (!(m > 0x1p-190 && m < 0x1p190)) return false;
+  const double uu = dot(u, u), ur = dot(u, r), mm = m * m;
+  double w = uu, s = ur, t = 0, more = 24 * kUnitRoundoff * mm * m, less = 16 * kUnitRoundoff * mm;
+  if (!is_line_alone) {
+    const double uv = dot(u, v), vv = dot(v, v), vr = dot(v, r);
+    w = uu * vv - uv * uv;
+    s = ur * vv - vr * uv;
+    if (of.count == 3) t = uu * vr - uv * ur;
+    more = 700 * kUnitRoundoff * mm * mm * m;
+    less = 256 * kUnitRoundoff * mm * mm;
+  }
+  if (!(w > 0x1p30 * less)) return false;
+  const double scale = 1 / w;
+  const auto set = [&](int k, double of_u, double of_v) {
+    way[k] = (s * of_u + t * of_v) * scale;
+    const bool is_still = of_u == 0 && (of.count == 2 || of_v == 0);
+    error[k] = is_still
+                   ? 0
+                   : (more + std::fabs(way[k]) * less) * scale * (1 + 0x1p-20) + 4 * kUnitRoundoff * std::fabs(way[k]);
+  };
+  set(0, u.x, v.x);
+  set(1, u.y, v.y);
+  if constexpr (D == 3) set(2, u.z, v.z);
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -154,6 +193,14 @@ SightEnd<D>::SightEnd(const SimplexPoints& at, const SimplexPoints& nearest_to, 
   const double* const base = of.at[0];
   std::copy_n(base, D, near);
   if (of.count == 1) return;
+  double way[3], bound[3];
+  if (find_foot<D>(of, to, way, bound)) {
+    for (int k = 0; k < D; ++k) {
+      near[k] = base[k] + way[k];
+      error[k] = bound[k] == 0 ? 0 : bound[k] + kUnitRoundoff * std::fabs(near[k]) * kMore;
+    }
+    return;
+  }
   const Foot<Bounded, D> foot = foot_of<Bounded, D>(of, to, difference_of<D>);
   for (int k = 0; k < D; ++k) {
     const Bounded x = Bounded{base[k], 0} + foot.way.v[k] / foot.w;

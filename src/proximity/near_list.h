@@ -14,6 +14,7 @@ struct NearFeature {
   uint32_t count;
   uint32_t around, around_end;  // see NearList::around
   bool has_fans;                // walls may part the cells at it into fans that have different obstacles (PassableFan)
+  bool is_counted = false;      // has_fans is not a guess
 };
 
 /** Whether an obstacle has all corners of a feature. */
@@ -49,6 +50,11 @@ class NearList {
 
   /** Vertices, then edges, then triangles. */
   const Array<NearFeature>& features() const noexcept { return features_; }
+  /** Notes what was found of a feature, for as long as the list is right. */
+  void set_fans(uint32_t feature, bool has_fans) const noexcept {
+    features_[feature].has_fans = has_fans;
+    features_[feature].is_counted = true;
+  }
   const Array<WallFeature>& obstacles() const noexcept { return obstacles_; }
   /** Round each feature; round each obstacle if the list has no features. */
   const Array<Sphere<D>>& spheres() const noexcept { return spheres_; }
@@ -81,7 +87,7 @@ class NearList {
   Array<uint32_t> vertices_;
   Array<uint32_t> first_at_, at_;  // the obstacles at each vertex: at_[first_at_[v] .. first_at_[v + 1] - 1]
   Array<double> points_;
-  Array<NearFeature> features_;
+  mutable Array<NearFeature> features_;   // see set_fans
   Array<NearFeature> edges_, triangles_;  // until the list is finished
   Array<uint32_t> around_;
   Array<Sphere<D>> spheres_;

@@ -1,6 +1,7 @@
 #include "proximity/near_pair.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "base/search.h"
@@ -129,6 +130,35 @@ bool PairSearch<D>::is_least_in_fan(const Part<D>& part, PassableFan<D>& fan, co
 }
 
 template <int D>
+bool PairSearch<D>::has_fans(uint32_t feature) const {
+  const NearFeature& f = list_.features()[feature];
+  if (!f.has_fans || f.is_counted) return f.has_fans;
+  uint32_t names[3];
+  for (uint32_t i = 0; i < f.count; ++i) names[i] = list_.name(f.corners[i]);
+  CellQueue cells(env_.memory);
+  std::optional<PassableFan<D>> fan;
+  bool is_one = true;
+  list_.for_each_obstacle(f, [&](uint32_t i) {
+    const Cell c = cell_at(list_.obstacles()[i]);
+    if (!fan) fan.emplace(env_, c, names, f.count, cells);
+    is_one = is_one && fan->reaches(c);
+  });
+  list_.set_fans(feature, !is_one);
+  return !is_one;
+}
+
+/** Whether two obstacles are both sides of one wall, or the same side. */
+template <int D>
+bool is_same_wall(const WallFeature& a, const WallFeature& b) noexcept {
+  if (!a.facet.valid() || !b.facet.valid()) return false;
+  uint32_t shared = 0;
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < D; ++k) shared += a.vertices[i] == b.vertices[k];
+  }
+  return shared == D;
+}
+
+template <int D>
 bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   const Map<D>& map = env_.map;
   const NearFeature& f = pair.feature;
@@ -138,9 +168,7 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     const Cell c = map.cell_of(first);
     return std::tuple(map.index(c), map.local_of(first, c), first != h);
   };
-  const Vec way = unit(to_vec<3>(pair.point) - to_vec<3>(pair.obstacle_point));
-  const Vec along =
-      f.count == 2 ? unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0]))) : Vec::Zero();
+  Vec way, along;
   /** The cosine of the least angle between the way and a side of a triangle at the feature. */
   const auto closeness = [&](const WallFeature& o) {
     double most = -2;
@@ -151,6 +179,18 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     }
     return most;
   };
+  // All obstacles at the feature are sides of one wall, if it stands alone: then they make the same angle.
+  bool is_one = true;
+  const WallFeature* some = nullptr;
+  list_.for_each_obstacle(f, [&](uint32_t i) {
+    const WallFeature& o = list_.obstacles()[i];
+    if (some == nullptr) some = &o;
+    is_one = is_one && is_same_wall<D>(o, *some);
+  });
+  if (!is_one) {
+    way = unit(to_vec<3>(pair.point) - to_vec<3>(pair.obstacle_point));
+    if (f.count == 2) along = unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0])));
+  }
   uint32_t found = kNone;
   double most = 0;
   const auto offer = [&](uint32_t i) {
@@ -159,7 +199,7 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
       if (found == kNone) found = i;
       return;
     }
-    const double close = closeness(o);
+    const double close = is_one ? 0 : closeness(o);
     if (pair.wall.valid() && close < most) return;
     const double* corners[D];
     for (int k = 0; k < D; ++k) corners[k] = list_.point(o.vertices[k]);

@@ -46,7 +46,7 @@ class PairSearch {
       if (!are_inside(part, f)) continue;
       NearPair<D> pair;
       pair.is_least = is_local_minimum(part, f, list_.around(f), list_.around_end(f));
-      if ((pair.is_least || f.has_fans) && measure(part, f, pair)) visit(pair);
+      if ((pair.is_least || has_fans(*i)) && measure(part, f, pair)) visit(pair);
     }
   }
   /** Finds for a pair with the environment what it is told by: the facet with its feature that makes the least angle with
@@ -59,6 +59,9 @@ class PairSearch {
   bool is_least_in_fan(const Part<D>& part, PassableFan<D>& fan, const NearPair<D>& pair) const;
 
  private:
+  /** Whether the obstacles at a feature are in several fans of cells. If they are in one, nothing that loses against one of them
+   * is a row: it ends in that fan, or in one without obstacles. The list remembers it. Throws std::bad_alloc. */
+  bool has_fans(uint32_t feature) const;
   /** Whether none of some vertices of obstacles that have a feature comes closer to a part. The nearest points have to be
    * unique and inside of both. Exact. */
   bool is_local_minimum(const Part<D>& part, const NearFeature& f, const uint32_t* around,

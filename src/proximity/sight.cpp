@@ -264,8 +264,43 @@ void PassableFan<D>::follow_tetrahedron(Cell c) {
   }
 }
 
+/** Goes round an edge from the first cell, as far as there are tetrahedra: one way to a wall, then the other way. */
+template <int D>
+typename PassableFan<D>::Reach PassableFan<D>::go_round(Cell c) const noexcept {
+  const Map<D>& map = env_.map;
+  const uint32_t* const w = map.record(first());
+  // A facet has the edge if the corner that it lacks is not on the edge.
+  for (uint32_t f = 0; f < 4; ++f) {
+    uint32_t tip = w[kTetrahedronTips[f]] & kVertexMask;
+    if (tip == vertices_[0] || tip == vertices_[1]) continue;
+    HalfFacet left = map.half_facet(first(), f);
+    while (!is_impassable(env_, left)) {
+      const HalfFacet entered = map.opposite(left);
+      const Cell next = map.cell_of(entered);
+      if (next == c) return Reach::kYes;
+      if (next == first()) return Reach::kNo;
+      if (map.form(next) != Form::kSimplex) return Reach::kUnknown;
+      // The other facet with the edge lacks what the facet that was entered has beside the edge.
+      const uint32_t* const record = map.record(next);
+      const uint32_t in = entered.word % kUnitWords<D> - (kUnitWords<D> - 4);
+      uint32_t out = 0;
+      for (; out < 4; ++out) {
+        tip = record[kTetrahedronTips[out]] & kVertexMask;
+        if (out != in && tip != vertices_[0] && tip != vertices_[1]) break;
+      }
+      left = map.half_facet(next, out);
+    }
+  }
+  return Reach::kNo;
+}
+
 template <int D>
 bool PassableFan<D>::reaches(Cell c) {
+  if (c == first()) return true;
+  if (D == 3 && count_ == 2 && env_.map.form(first()) == Form::kSimplex) {
+    const Reach reach = go_round(c);
+    if (reach != Reach::kUnknown) return reach == Reach::kYes;
+  }
   for (; !cells_.contains(c); ++next_) {
     if (next_ == cells_.size()) return false;
     const Cell at = cells_[next_];

@@ -77,6 +77,9 @@ class PassableFan {
   bool reaches(Cell c);
 
  private:
+  enum class Reach { kNo, kYes, kUnknown };
+
+  Reach go_round(Cell c) const noexcept;
   void follow(HalfFacet h);
   void follow_tetrahedron(Cell c);
 

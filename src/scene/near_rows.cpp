@@ -78,8 +78,39 @@ uint32_t number_of(const Body<D>& body, const uint32_t* vertices, uint32_t count
   return (count - 1) << kKindShift | index;
 }
 
+/** Rows of the call before, in the order of their keys, as long as the environment is as it was then. */
+class RowsBefore {
+ public:
+  RowsBefore(const Array<dsw_near_row>& rows, bool are_current) noexcept : rows_(rows), are_current_(are_current) {}
+
+  /** A row of a part with an edge of the environment, at the same wall: it has the name of the edge. Null: there is none. */
+  const dsw_near_row* find(uint32_t part, const uint32_t* vertices, const dsw_face_id& wall) noexcept {
+    if (!are_current_) return nullptr;
+    size_t& at = next_[part >> kKindShift];  // parts of a kind mostly come one after the other
+    if (at == rows_.size() || rows_[at].key[0] > part || (at != 0 && rows_[at - 1].key[0] >= part)) {
+      at =
+          static_cast<size_t>(std::lower_bound(rows_.begin(), rows_.end(), part,
+                                               [](const dsw_near_row& row, uint32_t key) { return row.key[0] < key; }) -
+                              rows_.begin());
+    }
+    while (at < rows_.size() && rows_[at].key[0] < part) ++at;
+    for (size_t i = at; i < rows_.size() && rows_[i].key[0] == part; ++i) {
+      const dsw_near_row& row = rows_[i];
+      const bool is_same_wall = row.wall.volume == wall.volume && row.wall.local == wall.local;
+      if (row.key[1] == 0 && is_same_wall && std::equal(vertices, vertices + 3, row.obstacle_vertices)) return &row;
+    }
+    return nullptr;
+  }
+
+ private:
+  const Array<dsw_near_row>& rows_;
+  bool are_current_;
+  size_t next_[3] = {};  // by kinds of parts
+};
+
 template <int D>
-dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, const FoundPair<D>& pair) noexcept {
+dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, const FoundPair<D>& pair,
+                    RowsBefore& before) noexcept {
   dsw_near_row row{};
   std::copy_n(pair.point, 3, row.point);
   std::copy_n(pair.obstacle_point, 3, row.obstacle_point);
@@ -98,12 +129,18 @@ dsw_near_row to_row(const Environment<D>& env, const Partners<D>& partners, cons
     row.key[2] = number_of(*partner.body, pair.obstacle_vertices, pair.feature.count);
     return row;
   }
-  const ObstacleName name = name_obstacle(env, pair);
-  row.obstacle = name.cell;
-  std::copy_n(name.key, 2, row.key + 2);
+  if (pair.wall.valid()) row.wall = face_id(env.map, canonical(env.map, pair.wall));
+  const bool is_edge = D == 3 && pair.feature.count == 2 && pair.wall.valid();
+  if (const auto* known = is_edge ? before.find(row.key[0], row.obstacle_vertices, row.wall) : nullptr) {
+    row.obstacle = known->obstacle;
+    std::copy_n(known->key + 2, 2, row.key + 2);
+  } else {
+    const ObstacleName name = name_obstacle(env, pair);
+    row.obstacle = name.cell;
+    std::copy_n(name.key, 2, row.key + 2);
+  }
   if (pair.wall.valid()) {
     const HalfFacet seen = pair.is_wall_seen ? pair.wall : facing(env, pair.wall, row.normal);
-    row.wall = face_id(env.map, canonical(env.map, pair.wall));
     row.tag = obstacle_tag(env, seen, env.map.cell_of(seen));
   }
   return row;
@@ -116,6 +153,33 @@ bool precedes(const dsw_near_row& a, const dsw_near_row& b) noexcept {
 bool has_same_key(const dsw_near_row& a, const dsw_near_row& b) noexcept {
   return std::equal(a.key, a.key + 4, b.key) && a.body.generation == b.body.generation &&
          a.obstacle.generation == b.obstacle.generation;
+}
+
+/** Sorts rows by their keys. A row is moved once. Throws std::bad_alloc. */
+void sort_rows(Array<dsw_near_row>& rows) {
+  struct Place {
+    uint32_t key[4];
+    uint32_t from;
+  };
+  Array<Place> places(rows.size(), rows.get_allocator());
+  for (uint32_t i = 0; i < rows.size(); ++i) {
+    std::copy_n(rows[i].key, 4, places[i].key);
+    places[i].from = i;
+  }
+  dsw::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    return std::lexicographical_compare(a.key, a.key + 4, b.key, b.key + 4);
+  });
+  for (uint32_t i = 0; i < rows.size(); ++i) {
+    if (places[i].from == i) continue;
+    const dsw_near_row moved = rows[i];  // a cycle begins
+    uint32_t to = i;
+    for (uint32_t from; (from = places[to].from) != i; to = from) {
+      rows[to] = rows[from];
+      places[to].from = to;
+    }
+    rows[to] = moved;
+    places[to].from = to;
+  }
 }
 
 double squared_way(const dsw_near_row& a, const dsw_near_row& b) noexcept {
@@ -214,12 +278,14 @@ void find_rows(Scene<D>& scene, BodyRecord<D>& of, const NearSettings& settings,
   }
   near.rows.reserve(pairs.size());
   const uint32_t own_key = static_cast<uint32_t>(&of - scene.bodies.data()) + 1;
+  RowsBefore before(near.last, near.last_version == scene.env.change_version);
   for (const FoundPair<D>& pair : pairs) {
-    near.rows.push_back(to_row(scene.env, partners, pair));
+    near.rows.push_back(to_row(scene.env, partners, pair, before));
     dsw_near_row& row = near.rows.back();
     row.gap = row.distance - (pair.partner == kNone ? radius : radii_with(partners.all[pair.partner]));
   }
-  dsw::sort(near.rows.begin(), near.rows.end(), precedes);
+  near.last_version = scene.env.change_version;
+  sort_rows(near.rows);
   follow(near.rows, near.last);
   if (settings.jacobian) make_jacobian<D>(near.rows, own_key, near.jacobian);
 }

@@ -27,8 +27,9 @@ struct NearJacobian {
 template <int D>
 struct NearRecord {
   NearNotes<D> notes;
-  Array<dsw_near_row> rows, last;  // of this call and of the one before
-  NearJacobian jacobian;           // of the rows, if it has been asked for; else empty
+  Array<dsw_near_row> rows, last;        // of this call and of the one before
+  uint64_t last_version = ~uint64_t{0};  // Environment::change_version when the last rows were found
+  NearJacobian jacobian;                 // of the rows, if it has been asked for; else empty
 
   explicit NearRecord(const Memory* memory) : notes(memory), rows(memory), last(memory), jacobian(memory) {}
   uint64_t memory_bytes() const {
