@@ -90,6 +90,10 @@ class Reader {
   CellType type_of(uint32_t i) const {
     return cell_type<D>(in_.cell_types != nullptr ? in_.cell_types[i] : in_.uniform_cell_type);
   }
+  /** Whether all cells have one standard type and follow each other. */
+  bool is_uniform() const {
+    return in_.cell_types == nullptr && in_.offsets == nullptr && !splits() && uniform_vertices_ != 0;
+  }
   bool splits() const { return (in_.flags & DSW_ENVIRONMENT_SPLIT) != 0; }
   /** Cells with repeated points are polyhedra or polygons, if cells are split; all other ones are what their type says. */
   Form form_of(uint32_t i) {
@@ -132,6 +136,7 @@ class Reader {
     map_.cell_count = static_cast<uint32_t>(in_.volume_count);
     Offenders bad_type, bad_size;
     if (in_.offsets == nullptr) uniform_vertices_ = type_of(0).vertex_count;
+    if (is_uniform() && in_.volume_count <= in_.connectivity_count / uniform_vertices_) return;
     for (uint32_t i = 0; i < map_.cell_count; ++i) {
       const CellType type = type_of(i);
       if (!type.known) {
@@ -154,7 +159,8 @@ class Reader {
     uint64_t units = 0;
     bool uniform = true;
     const uint32_t first_units = units_of(0);
-    for (uint32_t i = 0; i < map_.cell_count; ++i) {
+    if (is_uniform()) units = uint64_t{map_.cell_count} * first_units;
+    for (uint32_t i = 0; i < map_.cell_count && !is_uniform(); ++i) {
       const uint32_t n = units_of(i);
       const bool still = uniform && n == first_units && form_of(i) != Form::kGeneral;
       if (uniform && !still) {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/search.h"
+#include "base/short_array.h"
 #include "predicates/filtered.h"
 #include "predicates/near_signs.h"
 #include "predicates/plane_hit.h"
@@ -179,13 +180,11 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     }
     return most;
   };
-  // All obstacles at the feature are sides of one wall, if it stands alone: then they make the same angle.
-  bool is_one = true;
-  const WallFeature* some = nullptr;
-  list_.for_each_obstacle(f, [&](uint32_t i) {
-    const WallFeature& o = list_.obstacles()[i];
-    if (some == nullptr) some = &o;
-    is_one = is_one && is_same_wall<D>(o, *some);
+  ShortArray<uint32_t, 16> at(env_.memory);  // the obstacles at the feature
+  list_.for_each_obstacle(f, [&](uint32_t i) { at.push_back(i); });
+  // If all of them are sides of one wall, they make the same angle.
+  const bool is_one = dsw::all_of(at.begin(), at.end(), [&](uint32_t i) {
+    return is_same_wall<D>(list_.obstacles()[at[0]], list_.obstacles()[i]);
   });
   if (!is_one) {
     way = unit(to_vec<3>(pair.point) - to_vec<3>(pair.obstacle_point));
@@ -214,13 +213,13 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     pair.is_wall_seen = is_seen;
   };
   // What is nearest in angle is nearly always in the fan. So the fan is asked once, and not for each obstacle.
-  list_.for_each_obstacle(f, offer);
+  for (const uint32_t i : at) offer(i);
   if (!fan.reaches(cell_at(list_.obstacles()[found]))) {
     found = kNone;
     pair.wall = {};
-    list_.for_each_obstacle(f, [&](uint32_t i) {
+    for (const uint32_t i : at) {
       if (fan.reaches(cell_at(list_.obstacles()[i]))) offer(i);
-    });
+    }
     if (found == kNone) return false;
   }
   pair.cell = fan.first();
