@@ -35,7 +35,8 @@ typedef struct dsw_carve_desc {
   double snap;
   /** 0: volumes are split along the surface. Above 0: impassable volumes that the surface crosses are
    * halved across their longest extent instead, and their halves again, until none that it crosses
-   * is longer than this, or was halved 24 times. Not in the plane. @since 2.1 */
+   * is longer than this, or was halved 24 times. Volumes beside them can come to be crossed where a
+   * warped face gets vertices, or by rounding, and stay. Not in the plane. @since 2.1 */
   double finest;
 } dsw_carve_desc;
 

@@ -87,16 +87,16 @@ bool Refinement::run(Edit<3>& edit) {
     crossings_.for_each_simplex(i, [&](uint32_t simplex) { pieces_[piece].simplices.push_back(simplex); });
     waiting.push_back(piece);
   }
-  while (!waiting.empty()) {
-    const uint32_t piece = waiting.back();
-    waiting.pop_back();
+  // All pieces of one size before smaller ones: what is beside a piece then has few vertices on its faces.
+  for (size_t next = 0; next < waiting.size(); ++next) {
+    const uint32_t piece = waiting[next];
     switch (halve(edit, piece)) {
       case Halved::kFailed:
         kept_.insert(roots_[pieces_[piece].root].cell.unit);
         return false;
       case Halved::kYes:
-        waiting.push_back(static_cast<uint32_t>(pieces_.size() - 1));
         waiting.push_back(piece);
+        waiting.push_back(static_cast<uint32_t>(pieces_.size() - 1));
         break;
       case Halved::kNo:
         break;

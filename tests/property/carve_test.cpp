@@ -206,6 +206,15 @@ class CarveTest : public SceneTest {
     return most;
   }
 
+  std::set<uint32_t> met_by(const ClosedSurface& surface, Rng& rng) const {
+    const Turns turns(surface, rng);
+    std::set<uint32_t> met;
+    for_each_cell(env().map, [&](dsw::Cell c) {
+      if (turns.meets(env(), c)) met.insert(env().map.index(c));
+    });
+    return met;
+  }
+
   Place place_;
 };
 DSW_FOR_ALL_SCENES(CarveTest);
@@ -229,6 +238,7 @@ TEST_P(CarveTest, CellsAreHalvedUntilTheyAreShort) {
       if (any.valid() && rng.chance(0.3)) desc.start = volume_id(env().map, any);
       const auto before = marks();
       const auto sizes_before = sizes();
+      const std::set<uint32_t> was_met = met_by(surface, rng);
       dsw_change report = empty_change();
       ASSERT_EQ(dsw_environment_carve(place_.get(), &desc, &report), DSW_STATUS_OK) << dsw_last_error_message();
       ASSERT_EQ(check_integrity(env().map), nullptr);
@@ -250,7 +260,9 @@ TEST_P(CarveTest, CellsAreHalvedUntilTheyAreShort) {
         if (desc.start.generation != 0) return;
         EXPECT_EQ(is_new, was_marked && (turns.round(at) != 0 || (covers && is_met)))
             << "seed " << seed << ", round " << round << ", volume " << index;
-        if (!was_marked || !is_met || is_whole || report.whole_count != 0) return;
+        // A face that gets vertices can move by their rounding, or if it is warped, so that a cell behind it is met.
+        const bool met_before = was_met.count(origin.count(index) != 0 ? origin.at(index) : index) != 0;
+        if (!was_marked || !is_met || !met_before || is_whole || report.whole_count != 0) return;
         EXPECT_LE(diameter(c), 1.7321 * desc.finest) << "seed " << seed << ", round " << round << ", volume " << index;
       });
       carved_volumes += is_carved.size();

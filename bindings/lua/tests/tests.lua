@@ -604,6 +604,14 @@ function TestReports:test_a_change_outlasts_the_next()
   lu.assertTrue(origin.weights[1] + origin.weights[2] == 1 and origin.from[1] ~= origin.from[2])
 end
 
+function TestReports:test_a_drill_halves_what_it_crosses()
+  local environment <close> = scenario.create()
+  environment:mark_volumes {environment:get_volume_id(237)}
+  local drill = {{29.25, 29.25, 53.25}, {29.25, 27.25, 51.25}, {27.25, 29.25, 51.25}, {27.25, 27.25, 53.25}}
+  local change = environment:carve(drill, {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}, {finest = 1, flags = dsw.CARVE_COVER})
+  lu.assertEquals({change.volumes_split, #change:get_carved(), #change:get_whole()}, {1, 63, 0})
+end
+
 function TestReports:test_a_piece_becomes_a_body()
   local environment <close> = scenario.create()
   local scene <close> = dsw.Scene(environment)

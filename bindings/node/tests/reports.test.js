@@ -24,6 +24,16 @@ test('a change outlasts the next', () => {
   assert.ok(!from[0].equals(from[1]));
 });
 
+test('a drill halves what it crosses', () => {
+  const environment = createEnvironment();
+  environment.markVolumes([environment.getVolumeId(237)], dsw.Mark.Impassable);
+  const drill = [29.25, 29.25, 53.25, 29.25, 27.25, 51.25, 27.25, 29.25, 51.25, 27.25, 27.25, 53.25];
+  const triangles = [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2];
+  const change = environment.carve(drill, triangles, { finest: 1, flags: dsw.CarveFlag.Cover });
+  assert.deepEqual([change.volumesSplit, change.getCarved().length, change.getWhole().length], [1, 63, 0]);
+  environment.close();
+});
+
 test('a piece becomes a body', () => {
   const environment = createEnvironment();
   const scene = new dsw.Scene(environment);

@@ -31,6 +31,14 @@ def test_lists_are_arrays_that_last() -> None:
     assert np.array_equal(faces, last.faces) and np.allclose(last.vertices["weights"].sum(axis=1), 1)
 
 
+def test_a_drill_halves_what_it_crosses(environment: ds.Environment) -> None:
+    environment.mark_volumes([environment.volume_id(237)])
+    drill = [(29.25, 29.25, 53.25), (29.25, 27.25, 51.25), (27.25, 29.25, 51.25), (27.25, 27.25, 53.25)]
+    change = environment.carve(drill, [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)], finest=1.0, flags=ds.CarveFlag.COVER)
+    assert (change.volumes_split, len(change.carved), len(change.whole)) == (1, 63, 0)
+    assert not any(environment.is_impassable(volume) for volume in change.carved)
+
+
 def test_ids_of_changes_go_into_calls(environment: ds.Environment) -> None:
     cut = environment.cut(BLADE)
     one, gone = cut.volumes[0]["after"], cut.volumes[0]["before"]

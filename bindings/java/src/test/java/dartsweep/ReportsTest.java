@@ -34,6 +34,20 @@ class ReportsTest {
   }
 
   @Test
+  void aDrillHalvesWhatItCrosses() {
+    try (Environment environment = Scenario.create()) {
+      environment.markVolumes(VolumeIdArray.of(environment.getVolumeId(237)), Mark.IMPASSABLE);
+      double[] drill = {29.25, 29.25, 53.25, 29.25, 27.25, 51.25, 27.25, 29.25, 51.25, 27.25, 27.25, 53.25};
+      CarveDesc desc = new CarveDesc();
+      desc.setFinest(1);
+      desc.setFlags(CarveFlag.COVER.swigValue());
+      Change change = environment.carve(DoubleBuffer.wrap(drill), new int[] {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2}, desc);
+      assertEquals(List.of(1, 63, 0),
+          List.of(change.getVolumesSplit(), change.getCarved().size(), change.getWhole().size()));
+    }
+  }
+
+  @Test
   void aPieceBecomesABody() {
     try (Environment environment = Scenario.create();
         Scene scene = new Scene(environment)) {
