@@ -23,6 +23,8 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kLeastPiece = 0x1p-46;  // of a time: what is shorter is left
+// What goes along with something loses no more of its distance by rounding than this share of it, in any number of steps.
+constexpr double kLeastByRounding = 5 * 0x1p-37;
 
 /** How far two hulls are apart along a direction, as linear functions of time, and what rounding can lose of each. */
 template <int D>
@@ -254,10 +256,16 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
     if (piece == 0) {
       const double at_start = along.at(0);
       if (!(at_start >= less_share(wanted, 0x1p-30))) return 0;
-      const double slack = std::clamp((at_start - bend - least_at_rest(wanted)) / 2, 0.0, rounding_of(ways));
-      if (bend > 0 && at_start < accepted) return keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
-      if (at_start - slack < accepted && along.at(most) >= at_start - slack) return most;
-      kept = std::min(kept, at_start);
+      // A direction can show less than there is, by 2^-36. What is that near comes no nearer by it, step after step.
+      const double least = less_share(wanted, kLeastByRounding);
+      const double there = at_start < least ? std::max(at_start, gap.distance - 4 * along.lost) : at_start;
+      const double slack = std::clamp((at_start - bend - least) / 2, 0.0, rounding_of(ways));
+      const bool ends_apart = along.at(most) >= std::min(kept, there) - slack;
+      if (bend > 0 && at_start < accepted) {
+        return ends_apart && keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
+      }
+      if (at_start - slack < accepted && ends_apart && along.at(most) >= at_start - slack) return most;
+      kept = std::min(kept, there);
       accepted = kept + bend;
     }
     if (!(along.at(time) >= accepted)) return time;

@@ -211,7 +211,9 @@ double bent_by(const BodyState& before, const BodyState& after) {
 TEST_P(ThickRigidDeformTest, BodiesThatGoOnStayFreeAndRigid) {
   size_t moves = 0, stops = 0, went_on = 0, arrived = 0, broken = 0, occupied = 0, bent = 0, faults = 0;
   double gained = 0;
-  const int rounds = effort_of(6);
+  // In the plane a thick body that goes along a wall in hundreds of steps, and loses a little of its distance in each, comes once in about
+  // 30 rounds.
+  const int rounds = effort_of(std::string(GetParam().name) == "PlaneEdgesSwept" ? 30 : 6);
   for (int round = 0; round < rounds && !HasFailure(); ++round) {
     Stage stage(make(rng_), DSW_FEATURE_BODY_CONTACTS);
     ASSERT_NE(stage.ground.environment, nullptr);
