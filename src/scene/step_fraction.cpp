@@ -206,7 +206,13 @@ void StepCall<D>::run(StepAnswer& answer) {
   answer.places.assign(D * slots_, 0);
   const bool by_island = settings_.stop == TogetherStop::kIsland;
   for (size_t i = 0; i < count_; ++i) {
-    place(i, by_island ? answer.fractions[i] : answer.fraction, answer.places.data());
+    const double fraction = by_island ? answer.fractions[i] : answer.fraction;
+    if (fraction == 1) {
+      std::copy_n(targets_.data() + D * first_[i], D * bodies_[i]->body.vertices.size(),
+                  answer.places.data() + D * first_[i]);
+    } else {
+      place(i, fraction, answer.places.data());
+    }
   }
 }
 

@@ -74,6 +74,8 @@ class MovingWalls {
    * @param start where its points were. */
   bool find_arrivals(Array<Trajectory<D>>& trajectories, const double* start);
 
+  /** Nothing is known before walls have been looked for. */
+  static bool are_alone(const Array<Trajectory<D>>&) noexcept { return false; }
   /** Nothing is known of paths before the end. */
   void cast_paths(Array<Trajectory<D>>&) noexcept {}
   void set_counters(CastCounters*) noexcept {}

@@ -55,6 +55,7 @@ void StepPairs<D>::place_vertices(const Array<Trajectory<D>>& trajectories, cons
   }
   boxes_.resize(count);
   Box<D> all;
+  uint32_t living = 0;
   double largest = largest_coordinate<D>(drift);
   const auto visit = [&](auto place) {
     for (size_t t = 0; t < trajectories.size(); ++t) {
@@ -68,86 +69,129 @@ void StepPairs<D>::place_vertices(const Array<Trajectory<D>>& trajectories, cons
   visit([&](uint32_t number, const double* start, const double* reach) {
     boxes_[number] = box_beside_drift<D>(start, reach, drift);
     all.add(boxes_[number]);
+    ++living;
     largest = std::max(largest, largest_coordinate<D>(start, reach));
   });
+  for (uint32_t t = 0; living < count && t < trajectories.size(); ++t) {
+    const Body<D>& body = *trajectories[t].motion.body;
+    for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+      if (!body.has_vertex(v)) boxes_[first_[t] + v] = all;
+    }
+  }
+  sweep_.set_frame(boxes_, boxes_);
+  steps_.resize(count);
   shadows_.start(count, all, largest);
   visit([&](uint32_t number, const double* start, const double* reach) {
     double end[D];
     for (int k = 0; k < D; ++k) end[k] = reach[k] - drift[k];
     shadows_.set(number, start, end);
+    steps_[number] = sweep_.steps_of(boxes_[number]);
   });
 }
 
 template <int D>
-void StepPairs<D>::add(Ways& ways, uint32_t trajectory, const Simplex& simplex, const uint32_t* corners,
-                       uint32_t count) {
-  Way& way = ways.all.emplace_back(Way{{trajectory, simplex}, {}});
-  Box<D>& box = ways.boxes.emplace_back(boxes_[first_[trajectory] + corners[0]]);
-  for (uint32_t i = 0; i < 3; ++i) way.corners[i] = first_[trajectory] + corners[i < count ? i : 0];
-  for (uint32_t i = 1; i < count; ++i) {
-    const Box<D>& other = boxes_[way.corners[i]];
-    for (int k = 0; k < D; ++k) {
-      box.lower[k] = std::min(box.lower[k], other.lower[k]);
-      box.upper[k] = std::max(box.upper[k], other.upper[k]);
-    }
-  }
-}
-
-template <int D>
 void StepPairs<D>::add_ways(const Array<Trajectory<D>>& trajectories) {
-  for (Ways* each : {&segments_, &vertices_, &faces_}) {
-    each->all.clear();
-    each->boxes.clear();
+  size_t vertices = 0, segments = 0, faces = 0;
+  for (const Trajectory<D>& of : trajectories) {
+    vertices += of.motion.body->vertices.size();
+    segments += of.motion.body->vertices.size() + of.motion.body->edges.size();
+    faces += of.motion.body->faces.size();
   }
+  vertices_.reserve(vertices);
+  segments_.reserve(segments);
+  faces_.reserve(faces);
+  vertices = segments = faces = 0;
   const bool meet_vertices =
       D == 2 || dsw::any_of(trajectories.begin(), trajectories.end(),
                             [](const Trajectory<D>& of) { return covers_faces(of.motion.body->level); });
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Body<D>& body = *trajectories[t].motion.body;
     const bool has_edges = covers_edges(body.level);
+    const uint32_t first = first_[t];
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
-      if (meet_vertices) add(vertices_, t, {Simplex::kVertex, v}, &v, 1);
-      if (!has_edges || body.vertices[v].first_edge == kNone) add(segments_, t, {Simplex::kVertex, v}, &v, 1);
+      const Way way{{t, {Simplex::kVertex, v}}, {first + v, first + v, first + v}};
+      if (meet_vertices) {
+        vertices_.steps[vertices] = steps_[first + v];
+        vertices_.all[vertices++] = way;
+      }
+      if (has_edges && body.vertices[v].first_edge != kNone) continue;
+      segments_.steps[segments] = steps_[first + v];
+      segments_.all[segments++] = way;
     }
     for (uint32_t e = 0; has_edges && e < body.edges.size(); ++e) {
-      if (body.has_edge(e)) add(segments_, t, {Simplex::kEdge, e}, body.edges[e].ends, 2);
+      if (!body.has_edge(e)) continue;
+      const uint32_t a = first + body.edges[e].ends[0], b = first + body.edges[e].ends[1];
+      segments_.steps[segments] = Steps::hull(steps_[a], steps_[b]);
+      segments_.all[segments++] = {{t, {Simplex::kEdge, e}}, {a, b, a}};
     }
     for (uint32_t f = 0; covers_faces(body.level) && f < body.faces.size(); ++f) {
-      if (body.has_face(f)) add(faces_, t, {Simplex::kFace, f}, body.faces[f].corners, 3);
+      if (!body.has_face(f)) continue;
+      const uint32_t(&corners)[3] = body.faces[f].corners;
+      const uint32_t a = first + corners[0], b = first + corners[1], c = first + corners[2];
+      faces_.steps[faces] = Steps::hull(Steps::hull(steps_[a], steps_[b]), steps_[c]);
+      faces_.all[faces++] = {{t, {Simplex::kFace, f}}, {a, b, c}};
     }
   }
+  vertices_.reserve(vertices);
+  segments_.reserve(segments);
+  faces_.reserve(faces);
 }
 
 /** Segments, in the plane vertices without edges. */
 template <int D>
 void StepPairs<D>::find_segments(const Array<Trajectory<D>>& trajectories) {
-  sweep_.visit_own(segments_.boxes, [&](uint32_t i, uint32_t k) {
-    const Way &a = segments_.all[std::max(i, k)], &b = segments_.all[std::min(i, k)];
-    if (a.corners[0] == b.corners[0] || a.corners[0] == b.corners[1] || a.corners[1] == b.corners[0] ||
-        a.corners[1] == b.corners[1]) {
-      return;
-    }
-    if (D == 2 && (a.part.simplex.kind != Simplex::kVertex || b.part.simplex.kind != Simplex::kVertex)) return;
-    if (!all_meet_ && !do_meet(trajectories, a.part.trajectory, b.part.trajectory)) return;
-    if (shadows_.part(a.corners, 2, b.corners, 2)) return;
-    pairs_.push_back({D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge, {a.part, b.part}});
+  near_.resize(segments_.all.size());
+  sweep_.visit_own(segments_.steps, [&](uint32_t i, const uint32_t* others, uint32_t count) {
+    note_segments(trajectories, segments_.all[i], others, count);
   });
+}
+
+template <int D>
+void StepPairs<D>::note_segments(const Array<Trajectory<D>>& trajectories, const Way& way, const uint32_t* others,
+                                 uint32_t count) {
+  if (D == 2 && way.part.simplex.kind != Simplex::kVertex) return;
+  // Neighbours are many and in no order: a branch would cost more than all else.
+  const uint32_t a = way.corners[0], b = way.corners[1];
+  uint32_t near = 0;
+  for (uint32_t n = 0; n < count; ++n) {
+    const uint32_t(&corners)[3] = segments_.all[others[n]].corners;
+    near_[near] = others[n];
+    near += static_cast<uint32_t>((corners[0] != a) & (corners[0] != b) & (corners[1] != a) & (corners[1] != b));
+  }
+  for (uint32_t n = 0; n < near; ++n) {
+    const Way& other = segments_.all[near_[n]];
+    if (shadows_.part(way.corners, 2, other.corners, 2)) continue;
+    if (D == 2 && other.part.simplex.kind != Simplex::kVertex) continue;
+    if (!all_meet_ && !do_meet(trajectories, way.part.trajectory, other.part.trajectory)) continue;
+    const bool is_later = &way > &other;
+    pairs_.push_back({D == 2 ? PairKind::kVertexEdge : PairKind::kEdgeEdge,
+                      {is_later ? way.part : other.part, is_later ? other.part : way.part}});
+  }
 }
 
 /** Faces and vertices, in the plane edges and vertices. */
 template <int D>
 void StepPairs<D>::find_solids(const Array<Trajectory<D>>& trajectories) {
   const Ways& solids = D == 2 ? segments_ : faces_;
-  sweep_.visit_between(solids.boxes, vertices_.boxes, [&](uint32_t i, uint32_t k) {
-    const Way &solid = solids.all[i], &vertex = vertices_.all[k];
-    const uint32_t v = vertex.corners[0];
-    if (v == solid.corners[0] || v == solid.corners[1] || v == solid.corners[2]) return;
-    if (D == 2 && solid.part.simplex.kind == Simplex::kVertex) return;
-    if (!all_meet_ && !do_meet(trajectories, solid.part.trajectory, vertex.part.trajectory)) return;
-    if (shadows_.part(&v, 1, solid.corners, D)) return;
-    pairs_.push_back({D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, {vertex.part, solid.part}});
-  });
+  sweep_.visit_between(
+      solids.steps, vertices_.steps,
+      [&](uint32_t i, const uint32_t* found, uint32_t count) {
+        for (uint32_t n = 0; n < count; ++n) note_solid(trajectories, vertices_.all[found[n]], solids.all[i]);
+      },
+      [&](uint32_t k, const uint32_t* found, uint32_t count) {
+        for (uint32_t n = 0; n < count; ++n) note_solid(trajectories, vertices_.all[k], solids.all[found[n]]);
+      });
+}
+
+template <int D>
+void StepPairs<D>::note_solid(const Array<Trajectory<D>>& trajectories, const Way& vertex, const Way& solid) {
+  const uint32_t v = vertex.corners[0];
+  if ((v == solid.corners[0]) | (v == solid.corners[1]) | (v == solid.corners[2])) return;
+  if (shadows_.part(&v, 1, solid.corners, D)) return;
+  if (D == 2 && solid.part.simplex.kind == Simplex::kVertex) return;
+  if (!all_meet_ && !do_meet(trajectories, solid.part.trajectory, vertex.part.trajectory)) return;
+  pairs_.push_back({D == 2 ? PairKind::kVertexEdge : PairKind::kVertexFace, {vertex.part, solid.part}});
 }
 
 /** Edges of a body that meets itself, in space. */

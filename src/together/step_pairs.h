@@ -27,11 +27,13 @@ class StepPairs {
   explicit StepPairs(const Memory* memory)
       : first_(memory),
         boxes_(memory),
+        steps_(memory),
         shadows_(memory),
         segments_(memory),
         vertices_(memory),
         faces_(memory),
         sweep_(memory),
+        near_(memory),
         spokes_(memory),
         pairs_(memory),
         hinges_(memory) {}
@@ -43,6 +45,7 @@ class StepPairs {
   const Array<Hinge>& hinges() const noexcept { return hinges_; }
 
  private:
+  using Steps = typename BoxSweep<D>::Steps;
   /** A part, and its corners among the vertices of all trajectories. */
   struct Way {
     Part part;
@@ -50,8 +53,12 @@ class StepPairs {
   };
   struct Ways {
     Array<Way> all;
-    Array<Box<D>> boxes;
-    explicit Ways(const Memory* memory) : all(memory), boxes(memory) {}
+    Array<Steps> steps;  // of their boxes
+    explicit Ways(const Memory* memory) : all(memory), steps(memory) {}
+    void reserve(size_t count) {
+      all.resize(count);
+      steps.resize(count);
+    }
   };
   struct Spoke {
     uint32_t edge;
@@ -59,18 +66,21 @@ class StepPairs {
   };
 
   void place_vertices(const Array<Trajectory<D>>& trajectories, const double* drift);
-  void add(Ways& ways, uint32_t trajectory, const Simplex& simplex, const uint32_t* corners, uint32_t count);
   void add_ways(const Array<Trajectory<D>>& trajectories);
+  void note_segments(const Array<Trajectory<D>>& trajectories, const Way& way, const uint32_t* others, uint32_t count);
+  void note_solid(const Array<Trajectory<D>>& trajectories, const Way& vertex, const Way& solid);
   void find_segments(const Array<Trajectory<D>>& trajectories);
   void find_solids(const Array<Trajectory<D>>& trajectories);
   void find_hinges(const Array<Trajectory<D>>& trajectories);
 
   Array<uint32_t> first_;  // vertices of each trajectory among all
   Array<Box<D>> boxes_;    // of the ways of all vertices
+  Array<Steps> steps_;     // of these boxes
   Shadows<D> shadows_;
   Ways segments_, vertices_, faces_;  // segments: edges and vertices without edges
   BoxSweep<D> sweep_;
-  Array<Spoke> spokes_;  // of one vertex
+  Array<uint32_t> near_;  // segments near one that have no vertex of it
+  Array<Spoke> spokes_;   // of one vertex
   bool all_meet_ = false;
   Array<Pair> pairs_;
   Array<Hinge> hinges_;

@@ -133,9 +133,11 @@ void StepSearch<D, Walls>::set_ends_of_touches(double fraction) {
 /** Finds what is touched first on the ways to the ends. Whether anything is. */
 template <int D, class Walls>
 bool StepSearch<D, Walls>::find_touches() {
-  ways_.walls.cast_paths(*trajectories_);
   ways_.first.clear();
-  ways_.walls.find_first(*trajectories_, ways_.first);
+  if (ways_.meets_walls) {
+    ways_.walls.cast_paths(*trajectories_);
+    ways_.walls.find_first(*trajectories_, ways_.first);
+  }
   ways_.bodies.find_first(*trajectories_, ways_.first);
   return !ways_.first.empty();
 }

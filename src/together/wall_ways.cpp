@@ -30,6 +30,31 @@ void WallWays<D>::start(const Array<Trajectory<D>>& trajectories) {
 }
 
 template <int D>
+bool WallWays<D>::are_alone(const Array<Trajectory<D>>& trajectories) {
+  for (const Trajectory<D>& of : trajectories) {
+    const Body<D>& body = *of.motion.body;
+    const auto count = static_cast<uint32_t>(body.vertices.size());
+    uint32_t v = 0;
+    while (v < count && !body.has_vertex(v)) ++v;
+    if (v == count) continue;
+    const Cell first = body.vertices[v].cell;
+    if (!BoxProbe<D>::suits(env_, first)) return false;
+    Bounds<D> box(of.start(v));
+    for (uint32_t w = v; w < count; ++w) {
+      if (!body.has_vertex(w)) continue;
+      box.include(of.start(w));
+      box.include(of.reach(w));
+    }
+    if (!probe_.is_free(box, first)) return false;
+    for (; v < count; ++v) {
+      const Cell cell = body.vertices[v].cell;
+      if (cell.valid() && cell != first && !probe_.has_entered(cell)) return false;
+    }
+  }
+  return true;
+}
+
+template <int D>
 void WallWays<D>::cast_paths(Array<Trajectory<D>>& trajectories) {
   blocked_.clear();
   dsw::cast_paths(

@@ -19,6 +19,8 @@ class WallWays {
 
   /** Forgets what was found for another call. */
   void start(const Array<Trajectory<D>>& trajectories);
+  /** Whether it is known that nothing of the environment is in the boxes of the whole ways of the trajectories, wherever they end in these. */
+  bool are_alone(const Array<Trajectory<D>>& trajectories);
   /** Casts the paths of all vertices to their ends, and so finds the cells where they arrive. */
   void cast_paths(Array<Trajectory<D>>& trajectories);
   /** Whether no path is blocked, and nothing else touches the environment on its way. */

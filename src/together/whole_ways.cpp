@@ -30,6 +30,7 @@ const OuterWalls* walls_found(const MovingWalls<D>& walls) noexcept {
 template <int D>
 void set_rooms(Array<Trajectory<D>>& trajectories) {
   constexpr double kShare = 0.125;  // of the longest way and the sizes
+  if (dsw::none_of(trajectories.begin(), trajectories.end(), [](const Trajectory<D>& of) { return of.is_led; })) return;
   double way = 0;
   for (const Trajectory<D>& of : trajectories) {
     for (uint32_t v = 0; v < of.is_new.size(); ++v) {
@@ -53,8 +54,9 @@ void set_rooms(Array<Trajectory<D>>& trajectories) {
 
 template <int D, class Walls>
 void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift) {
+  meets_walls = drift == nullptr || !walls.are_alone(trajectories);
   for (Trajectory<D>& of : trajectories) {
-    of.motion.start(*of.motion.body, of.motion.targets, Walls::notes_paths(*of.motion.body));
+    of.motion.start(*of.motion.body, of.motion.targets, meets_walls && Walls::notes_paths(*of.motion.body));
     const size_t count = of.motion.body->vertices.size();
     of.ends.resize(count * D);
     of.reaches.clear();
@@ -67,7 +69,7 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
     }
   }
   set_rooms(trajectories);
-  walls.start(trajectories);
+  if (meets_walls) walls.start(trajectories);
   bodies.start(trajectories, bodies_meet, drift);
   thick.start(trajectories, bodies_meet, walls_found(walls));
 }

@@ -55,6 +55,7 @@ class WholeWays {
   BodyWays<D> bodies;
   ThickWays<D> thick;
   Array<WayTouch<D>> first{env_.memory};  // what was found last
+  bool meets_walls = true;                // false: walls were left out, since nothing is near the ways
 
  private:
   /** Whether something comes too near before anything is touched. */
