@@ -32,6 +32,10 @@ class BodyWays {
   void start(const Array<Trajectory<D>>& trajectories, bool bodies_meet, const double* drift = nullptr);
   /** Finds them for ways that have become others. */
   void start_again(const Array<Trajectory<D>>& trajectories) { start(trajectories, bodies_meet_); }
+  /** Whether there are no pairs that come near each other. */
+  bool are_alone() const noexcept {
+    return pairs_.empty() && (!has_hinges_ || (lists_hinges_ && step_pairs_.hinges().empty()));
+  }
   /** Whether none of them touch on their ways. */
   bool is_free(const Array<Trajectory<D>>& trajectories) const;
   /** What is touched first. */

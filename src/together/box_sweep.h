@@ -85,7 +85,7 @@ class BoxSweep {
     if (boxes.size() < 2) return;
     choose_strips(boxes, boxes);
     fill(boxes, list_);
-    found_.resize(list_.row + kLanes);
+    make_room(found_, list_.row + kLanes);
     for (uint32_t s = 0; s < strips_; ++s) {
       for (uint32_t i = list_.first[s]; i < list_.end_of(s); ++i) {
         const uint32_t count = find_after(list_, i, list_, i + 1);
@@ -101,7 +101,7 @@ class BoxSweep {
     choose_strips(boxes, others);
     fill(boxes, list_);
     fill(others, others_);
-    found_.resize(std::max(list_.row, others_.row) + kLanes);
+    make_room(found_, std::max(list_.row, others_.row) + kLanes);
     for (uint32_t s = 0; s < strips_; ++s) {
       uint32_t a = list_.first[s], b = others_.first[s];
       const uint32_t a_end = list_.end_of(s), b_end = others_.end_of(s);
@@ -139,6 +139,10 @@ class BoxSweep {
     uint32_t end_of(uint32_t strip) const { return first[strip + 1] - kLanes; }
   };
 
+  template <class T>
+  static void make_room(Array<T>& array, size_t count) {
+    if (array.size() < count) array.resize(count);
+  }
   static ShortEight eight_at(const int16_t* first) noexcept {
     ShortEight eight;
     std::memcpy(&eight, first, sizeof eight);
@@ -291,8 +295,8 @@ void BoxSweep<D>::fill(const Array<Steps>& boxes, List& list) {
     sum += count + kLanes;
   }
   list.row = sum;
-  list.sides.resize((2 * D + 1) * list.row);
-  list.numbers.resize(list.row);
+  make_room(list.sides, (2 * D + 1) * list.row);
+  make_room(list.numbers, list.row);
   int16_t* const is_first = list.sides.data();
   for (const uint32_t number : order_) {
     const Steps& each = boxes[number];

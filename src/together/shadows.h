@@ -42,7 +42,7 @@ class Shadows {
       for (int i = 0; i < D; ++i) half += std::fabs(kAlong[i][k]) * (0.5 * all.upper[i] - 0.5 * all.lower[i]);
       // Nothing is apart where steps are not far longer than roundings.
       const bool is_known = half < 0x1p1000 && half > 0x1p-1000 && half > 0x1p-30 * largest;
-      scale_[k] = is_known ? kMostSteps / half : 0;
+      for (int i = 0; i < D; ++i) along_[i][k] = is_known ? kAlong[i][k] * (kMostSteps / half) : 0;
     }
   }
   void set(size_t point, const double* start, const double* end) noexcept {
@@ -94,21 +94,24 @@ class Shadows {
     return (words[0] | words[1]) != 0;
   }
   void set_range(const double* at, Range& range) const noexcept {
-    int16_t low[kDirections], high[kDirections];
+    // Loops that compilers make vectors of.
+    double place[D], sums[kDirections];
+    for (int i = 0; i < D; ++i) place[i] = at[i] - centre_[i];
     for (int k = 0; k < kDirections; ++k) {
-      double sum = 0;
-      for (int i = 0; i < D; ++i) sum += kAlong[i][k] * (at[i] - centre_[i]);
-      // Rounded to zero, so by less than a step.
-      const auto step = static_cast<int>(sum * scale_[k]);
-      low[k] = static_cast<int16_t>(step - 1);
-      high[k] = static_cast<int16_t>(step + 1);
+      sums[k] = along_[0][k] * place[0];
+      for (int i = 1; i < D; ++i) sums[k] += along_[i][k] * place[i];
     }
+    int32_t steps[kDirections];
+    for (int k = 0; k < kDirections; ++k) steps[k] = static_cast<int32_t>(sums[k]);  // to zero, so by less than a step
+    int16_t low[kDirections], high[kDirections];
+    for (int k = 0; k < kDirections; ++k) low[k] = static_cast<int16_t>(steps[k] - 1);
+    for (int k = 0; k < kDirections; ++k) high[k] = static_cast<int16_t>(steps[k] + 1);
     std::memcpy(&range.low, low, sizeof low);
     std::memcpy(&range.high, high, sizeof high);
   }
 
   Array<Shadow> shadows_;
-  double centre_[D] = {}, scale_[kDirections] = {};
+  double centre_[D] = {}, along_[D][kDirections] = {};  // steps of the frame along each direction
 };
 
 }  // namespace dsw

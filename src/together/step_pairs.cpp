@@ -97,10 +97,9 @@ void StepPairs<D>::add_ways(const Array<Trajectory<D>>& trajectories) {
     segments += of.motion.body->vertices.size() + of.motion.body->edges.size();
     faces += of.motion.body->faces.size();
   }
-  vertices_.reserve(vertices);
-  segments_.reserve(segments);
-  faces_.reserve(faces);
-  vertices = segments = faces = 0;
+  vertices_.start(vertices);
+  segments_.start(segments);
+  faces_.start(faces);
   const bool meet_vertices =
       D == 2 || dsw::any_of(trajectories.begin(), trajectories.end(),
                             [](const Trajectory<D>& of) { return covers_faces(of.motion.body->level); });
@@ -111,31 +110,21 @@ void StepPairs<D>::add_ways(const Array<Trajectory<D>>& trajectories) {
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
       const Way way{{t, {Simplex::kVertex, v}}, {first + v, first + v, first + v}};
-      if (meet_vertices) {
-        vertices_.steps[vertices] = steps_[first + v];
-        vertices_.all[vertices++] = way;
-      }
-      if (has_edges && body.vertices[v].first_edge != kNone) continue;
-      segments_.steps[segments] = steps_[first + v];
-      segments_.all[segments++] = way;
+      if (meet_vertices) vertices_.add(way, steps_[first + v]);
+      if (!has_edges || body.vertices[v].first_edge == kNone) segments_.add(way, steps_[first + v]);
     }
     for (uint32_t e = 0; has_edges && e < body.edges.size(); ++e) {
       if (!body.has_edge(e)) continue;
       const uint32_t a = first + body.edges[e].ends[0], b = first + body.edges[e].ends[1];
-      segments_.steps[segments] = Steps::hull(steps_[a], steps_[b]);
-      segments_.all[segments++] = {{t, {Simplex::kEdge, e}}, {a, b, a}};
+      segments_.add({{t, {Simplex::kEdge, e}}, {a, b, a}}, Steps::hull(steps_[a], steps_[b]));
     }
     for (uint32_t f = 0; covers_faces(body.level) && f < body.faces.size(); ++f) {
       if (!body.has_face(f)) continue;
       const uint32_t(&corners)[3] = body.faces[f].corners;
       const uint32_t a = first + corners[0], b = first + corners[1], c = first + corners[2];
-      faces_.steps[faces] = Steps::hull(Steps::hull(steps_[a], steps_[b]), steps_[c]);
-      faces_.all[faces++] = {{t, {Simplex::kFace, f}}, {a, b, c}};
+      faces_.add({{t, {Simplex::kFace, f}}, {a, b, c}}, Steps::hull(Steps::hull(steps_[a], steps_[b]), steps_[c]));
     }
   }
-  vertices_.reserve(vertices);
-  segments_.reserve(segments);
-  faces_.reserve(faces);
 }
 
 /** Segments, in the plane vertices without edges. */
@@ -202,13 +191,14 @@ void StepPairs<D>::find_hinges(const Array<Trajectory<D>>& trajectories) {
     if (!body.filter.self || !covers_edges(body.level)) continue;
     for (uint32_t v = 0; v < body.vertices.size(); ++v) {
       if (!body.has_vertex(v)) continue;
-      spokes_.clear();
+      uint32_t count = 0;
       for_each_edge(body, v, [&](uint32_t e) {
-        spokes_.push_back({e, shadows_.sides(first_[t] + body.edges[e].other(v), first_[t] + v)});
+        if (count == spokes_.size()) spokes_.resize(2 * count + 8);
+        spokes_[count++] = {e, shadows_.sides(first_[t] + body.edges[e].other(v), first_[t] + v)};
         return true;
       });
-      for (size_t i = 0; i < spokes_.size(); ++i) {
-        for (size_t k = 0; k < i; ++k) {
+      for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t k = 0; k < i; ++k) {
           if (spokes_[i].sides.are_opposite(spokes_[k].sides)) continue;
           hinges_.push_back({t, v, {spokes_[i].edge, spokes_[k].edge}});
         }

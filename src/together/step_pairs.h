@@ -55,9 +55,15 @@ class StepPairs {
     Array<Way> all;
     Array<Steps> steps;  // of their boxes
     explicit Ways(const Memory* memory) : all(memory), steps(memory) {}
-    void reserve(size_t count) {
-      all.resize(count);
-      steps.resize(count);
+    void start(size_t most) {
+      all.clear();
+      steps.clear();
+      all.reserve(most);
+      steps.reserve(most);
+    }
+    void add(const Way& way, const Steps& box) {
+      all.push_back(way);
+      steps.push_back(box);
     }
   };
   struct Spoke {

@@ -68,6 +68,7 @@ double StepSearch<D, Walls>::last_free(double high, double guess, double step, I
 template <int D, class Walls>
 double StepSearch<D, Walls>::find(double most) {
   constexpr int kMostTries = 60;
+  if (!ways_.meets_walls && ways_.bodies.are_alone() && !ways_.thick.is_needed()) return most;
   double fraction = most, back = 0, near = 0;
   for (int tries = 0; tries < kMostTries && fraction > 0; ++tries) {
     set_ends(fraction);
@@ -116,7 +117,7 @@ void StepSearch<D, Walls>::set_ends(double fraction) {
   for (Trajectory<D>& of : *trajectories_) {
     for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
       if (!of.motion.body->has_vertex(v)) continue;
-      std::copy_n(of.start(v), D, of.end(v));
+      for (int k = 0; k < D; ++k) of.end(v)[k] = of.start(v)[k];
       set_end(of, v, fraction);
     }
   }

@@ -65,7 +65,8 @@ void WholeWays<D, Walls>::start(Array<Trajectory<D>>& trajectories, bool bodies_
     of.is_new.assign(count, 1);
     of.goals.resize(count * D);
     for (uint32_t v = 0; v < count; ++v) {
-      if (of.motion.body->has_vertex(v)) std::copy_n(of.motion.targets[v], D, of.goal(v));
+      if (!of.motion.body->has_vertex(v)) continue;
+      for (int k = 0; k < D; ++k) of.goal(v)[k] = of.motion.targets[v][k];
     }
   }
   set_rooms(trajectories);
