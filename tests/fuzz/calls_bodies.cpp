@@ -123,7 +123,8 @@ dsw_move_options Calls::options() {
   dsw_move_options_init(&o, sizeof o);
   o.vertex_response = bytes_.below(2) == 0 ? DSW_RESPONSE_STOP : DSW_RESPONSE_SLIDE;
   o.edge_response = static_cast<dsw_response>(bytes_.below(7));
-  o.search = static_cast<dsw_search>(bytes_.below(4));
+  const uint32_t search = bytes_.below(4);
+  o.search = static_cast<dsw_search>(search == 3 ? 4 : search);  // 4 is refused, as 3 was in 2.0
   o.bisection_depth = bytes_.below(12);
   o.flags = o.bisection_depth % 2 != 0 ? DSW_MOVE_KEEP_WALLS : 0;
   o.passes = o.bisection_depth % 3;
