@@ -240,7 +240,7 @@ void BoxSweep<D>::choose_strips(const Array<Steps>& boxes, const Array<Steps>& o
     for (uint64_t j = 0; j < kSamples; ++j) {
       const Steps& other = others[(i + kSamples * (j + 1)) * kStride % others.size()];
       for (int k = 0; k < D; ++k)
-        overlaps[k] += static_cast<uint32_t>((one.low(k) <= other.high(k)) & (other.low(k) <= one.high(k)));
+        overlaps[k] += static_cast<uint32_t>((one.low(k) <= other.high(k)) && (other.low(k) <= one.high(k)));
     }
   }
   for (int k = 0; k < D; ++k) axes_[k] = k;
