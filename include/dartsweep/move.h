@@ -21,8 +21,8 @@ typedef enum dsw_search {
   /** Dichotomic: halves the way between a free position and one that is not. At DSW_LEVEL_EDGES
    * another contact may come first. */
   DSW_SEARCH_BISECTION = 2,
-  /** As BISECTION, with the normal of the paper: at the vertex of the touched wall that is nearest to
-   * the point, the mean of the unit normals of the walls there. @since 2.1 */
+  /** Dichotomic, with the normal of the paper: that of the nearest vertex of the touched wall, which
+   * is the mean of the unit normals of the walls there. @since 2.1 */
   DSW_SEARCH_BISECTION_VERTEX = 3,
   DSW_SEARCH_FORCE_INT32 = 0x7fffffff
 } dsw_search;

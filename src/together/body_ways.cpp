@@ -322,7 +322,7 @@ bool BodyWays<D>::visit_hinge(const Array<Trajectory<D>>& trajectories, uint32_t
   return true;
 }
 
-/** Those at all vertices of a trajectory. */
+/** Visits the hinges at all vertices of a trajectory. */
 template <int D>
 template <class Visit>
 bool BodyWays<D>::visit_hinges(const Array<Trajectory<D>>& trajectories, uint32_t number, Visit visit) const {
@@ -349,7 +349,7 @@ bool BodyWays<D>::visit_hinges(const Array<Trajectory<D>>& trajectories, uint32_
   return true;
 }
 
-/** Those that are listed. */
+/** Visits the hinges that are listed. */
 template <int D>
 template <class Visit>
 bool BodyWays<D>::visit_listed_hinges(const Array<Trajectory<D>>& trajectories, Visit visit) const {

@@ -32,8 +32,8 @@ class NearTruth {
     bool is_shifted = true;  // by Simulation of Simplicity: of the environment
     /// The triangles of each passable volume. Only needed if walls with other points lie in one place, or with `fans`.
     std::vector<std::vector<Ids>> volumes;
-    /// Of each obstacle. Only needed where volumes overlap: else what is nearest in the fan in which a way ends is nearest
-    /// of all.
+    /// The fans of each obstacle. Only needed where volumes overlap: elsewhere what is nearest in the fan in which a way
+    /// ends is nearest of all.
     std::map<Ids, std::vector<Fan>> fans;
   };
   enum class Sight { kClear, kHidden };
