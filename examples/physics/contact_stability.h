@@ -56,8 +56,8 @@ ContactRow run_contacts(const ContactCase& asked, int least_steps, int most_step
 // Runs a row, and finds the cause if it is not stable.
 ContactRow run_contacts_with_cause(const ContactCase& asked, int least_steps, int most_steps, std::size_t contacts);
 
-// Each axis from the easy case on, and `corners` random corners, for every scene and integrator.
-std::vector<ContactCase> contact_cases(int corners);
+// For every scene and integrator the easy case, each axis alone with every so many-th of its values, and `corners` random corners.
+std::vector<ContactCase> contact_cases(int corners, std::size_t every = 1);
 
 }  // namespace physics
 

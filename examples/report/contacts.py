@@ -31,7 +31,9 @@ def _span(values, easy):
     values = sorted(values)
     if all(stable for _, stable in values):
         return "all"
-    here = next(i for i, (value, _) in enumerate(values) if math.isclose(value, easy))
+    here = next((i for i, (value, _) in enumerate(values) if math.isclose(value, easy)), None)
+    if here is None:
+        raise BadFile("contact_stability.csv: an axis has no row of the easy case")
     if not values[here][1]:
         return "none"
     low = high = here

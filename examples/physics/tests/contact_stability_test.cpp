@@ -58,5 +58,19 @@ TEST(ContactStability, WhatIsUnstableHasACause) {
 
 TEST(ContactStability, TheTableHasAThousandRows) { EXPECT_GE(contact_cases(12).size(), 1000u); }
 
+TEST(ContactStability, AShortTableHasEachEasyCase) {
+  const ContactCase easy;
+  const std::vector<ContactCase> cases = contact_cases(0, 3);
+  std::set<std::pair<int, int>> seen;
+  for (const ContactCase& c : cases) {
+    if (c.stiffness == easy.stiffness && c.dt == easy.dt && c.mass_ratio == easy.mass_ratio &&
+        c.friction == easy.friction && c.aspect == easy.aspect) {
+      seen.emplace(static_cast<int>(c.scene), static_cast<int>(c.integrator));
+    }
+  }
+  EXPECT_EQ(seen.size(), 27u);
+  EXPECT_LT(cases.size(), contact_cases(0).size() / 2);
+}
+
 }  // namespace
 }  // namespace physics
