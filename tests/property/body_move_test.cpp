@@ -57,7 +57,7 @@ TEST_F(BodyMoveTest, ArgumentsThatAreRefusedChangeNothing) {
   with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.min_part = 0.6; });
   with(DSW_STATUS_OUT_OF_RANGE, [](dsw_move_options& o) { o.min_part = -0.1; });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.flags = 2; });
-  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.search = static_cast<dsw_search>(3); });
+  with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.search = static_cast<dsw_search>(4); });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.edge_response = static_cast<dsw_response>(6); });
   with(DSW_STATUS_UNSUPPORTED, [](dsw_move_options& o) { o.vertex_response = DSW_RESPONSE_HYBRID; });
   with(DSW_STATUS_BAD_STRUCT_SIZE, [](dsw_move_options& o) { o.struct_size = 8; });
