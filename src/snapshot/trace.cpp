@@ -100,11 +100,11 @@ void add_simplices(Addition& addition, const Shape& shape, uint32_t begin, uint3
 
 /** A marked facet between two passable cells is added from its canonical side only. */
 template <int D>
-bool is_shown(const Map<D>& map, HalfFacet h, bool with_boundary) {
-  if (!is_impassable(map, h)) return false;
-  const HalfFacet o = map.opposite(h);
+bool is_shown(const Environment<D>& env, HalfFacet h, bool with_boundary) {
+  if (!is_impassable(env, h)) return false;
+  const HalfFacet o = env.map.opposite(h);
   if (!o.valid()) return with_boundary;
-  return map.marked(map.cell_of(o)) || canonical(map, h) == h;
+  return is_closed(env, env.map.cell_of(o)) || canonical(env.map, h) == h;
 }
 
 void add_contact(Addition& addition, const dsw_flight& flight, double normal_length) {
@@ -152,10 +152,10 @@ void add_impassable(Trace& trace, const Environment<D>& env, bool with_boundary,
   Array<uint8_t> edge_shown(edges.size(), 0, env.memory);
   Array<uint8_t> vertex_shown(env.marked_vertices == 0 ? 0 : map.vertex_count, 0, env.memory);
   for_each_cell(map, [&](Cell c) {
-    if (map.marked(c)) return;
+    if (is_closed(env, c)) return;
     const Shape shape = map.shape(c);
     for (uint32_t f = 0; f < shape.facet_count(); ++f) {
-      if (!is_shown(map, map.half_facet(c, f), with_boundary)) continue;
+      if (!is_shown(env, map.half_facet(c, f), with_boundary)) continue;
       add_simplices<D>(addition, shape, shape.simplex_first(f), shape.simplex_first(f + 1),
                        [&](uint32_t local) { return points[map.vertex(c, local)]; });
     }

@@ -44,6 +44,9 @@ class ThickScene {
   /// Again, after a change of the environment.
   void read_obstacles() {
     obstacles_.clear();
+    std::map<Vec, size_t> vertices;  // by their places
+    read_points();
+    for (size_t v = 0; v < points_.size(); ++v) vertices[points_[v]] = v;
     dsw_trace* trace = nullptr;
     dsw_trace_data data{};
     data.struct_size = sizeof data;
@@ -62,23 +65,31 @@ class ThickScene {
     add(data.segments, data.segment_count, 2);
     add(data.vertices, data.vertex_count, 1);
     for (const auto& simplex : all) {
+      std::vector<size_t> corners;
       Hull hull;
       for (const size_t p : simplex) {
         hull.push_back({data.points[3 * p], data.points[3 * p + 1], data.points[3 * p + 2]});
+        EXPECT_EQ(vertices.count(hull.back()), 1u);
+        corners.push_back(vertices[hull.back()]);
       }
-      obstacles_.push_back({hull, HullBox(hull)});
+      std::sort(corners.begin(), corners.end());
+      obstacles_.push_back({corners, hull, HullBox(hull)});
     }
     dsw_trace_destroy(trace);
   }
 
-  /// Puts each obstacle between its places in two scenes, a part of the way from one to the other.
+  /// Puts each obstacle between its places in two scenes, a part of the way from one to the other. Walls come and go where volumes
+  /// become invalid or valid: those of both scenes count all the time, as nothing is near such a volume on its way.
   void place_obstacles(const ThickScene& before, const ThickScene& after, double part) {
     obstacles_.clear();
-    ASSERT_EQ(before.obstacles_.size(), after.obstacles_.size());
-    for (size_t i = 0; i < before.obstacles_.size(); ++i) {
-      Hull hull = before.obstacles_[i].hull;
-      for (size_t k = 0; k < hull.size(); ++k) hull[k] = between(hull[k], after.obstacles_[i].hull[k], part);
-      obstacles_.push_back({hull, HullBox(hull)});
+    std::set<std::vector<size_t>> all;
+    for (const ThickScene* scene : {&before, &after}) {
+      for (const Obstacle& each : scene->obstacles_) all.insert(each.corners);
+    }
+    for (const std::vector<size_t>& corners : all) {
+      Hull hull;
+      for (const size_t v : corners) hull.push_back(between(before.points_[v], after.points_[v], part));
+      obstacles_.push_back({corners, hull, HullBox(hull)});
     }
   }
   static Vec between(const Vec& from, const Vec& to, double part) {
@@ -378,9 +389,21 @@ class ThickScene {
 
  private:
   struct Obstacle {
+    std::vector<size_t> corners;  // the numbers of its vertices
     Hull hull;
     HullBox box;
   };
+
+  void read_points() {
+    const double* points = nullptr;
+    size_t count = 0;
+    dsw_environment_info info{};
+    info.struct_size = sizeof info;
+    ASSERT_EQ(dsw_environment_get_info(environment(), &info), DSW_STATUS_OK);
+    ASSERT_EQ(dsw_environment_get_points(environment(), &points, &count), DSW_STATUS_OK);
+    points_.assign(count, Vec{});
+    for (size_t v = 0; v < count; ++v) std::copy_n(points + info.dimension * v, info.dimension, points_[v].begin());
+  }
 
   /// The largest difference of coordinates.
   static double size_of(const Hull& a, const Hull& b) {
@@ -421,6 +444,7 @@ class ThickScene {
   dsw_scene* scene_;
   bool meets_;
   std::vector<Obstacle> obstacles_;
+  std::vector<Vec> points_;  // of the environment
 };
 
 }  // namespace dsw::oracle

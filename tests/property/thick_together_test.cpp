@@ -38,7 +38,7 @@ class ThickTogether {
       scene_->read_all();
       scene_->read_obstacles();
       check_way(before, *scene_);
-      check_stop();
+      check_stop(before);
     }
   }
   size_t body_count() const { return scene_->bodies.size(); }
@@ -137,7 +137,7 @@ class ThickTogether {
     count(reports);
   }
   /// Where all stop together, something is as near as it may be.
-  void check_stop() {
+  void check_stop(const ThickScene& before) {
     bool is_there = true;
     size_t at = 0;
     for (const dsw_body_id id : ids_) {
@@ -149,8 +149,10 @@ class ThickTogether {
     }
     if (is_there || !whole_) return;
     ++stops;
-    for (size_t i = 0; i < scene_->bodies.size(); ++i) {
-      if (scene_->is_tight(i)) return;
+    ThickScene now = *scene_;
+    now.place_obstacles(before, *scene_, 1);
+    for (size_t i = 0; i < now.bodies.size(); ++i) {
+      if (now.is_tight(i)) return;
     }
     // Bodies without a radius touch.
     for (const dsw_body_id id : ids_) {

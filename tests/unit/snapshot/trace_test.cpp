@@ -6,9 +6,11 @@
 
 #include <new>
 #include <tuple>
+#include <vector>
 
 #include "../../aligned_memory.h"
 #include "environment/marking.h"
+#include "environment/moving.h"
 #include "locate/locate.h"
 #include "map/dart.h"
 #include "small_meshes.h"
@@ -112,6 +114,31 @@ TEST(Trace, ImpassableIsDrawnWhereSomethingPassableIsNear) {
   set_cell_mark(env, right, true);
   add_impassable(trace, env, true, 6);
   EXPECT_EQ(trace.point_count(), 0u);
+}
+
+/** A cell that its points have turned over counts as impassable: its walls to nothing else are none of what can be met, and its
+ * facets to passable cells are. */
+TEST(Trace, AnInvalidCellIsImpassable) {
+  Environment<3> env(nullptr);
+  build_mesh(env, pair_of(kHexahedron, kHexahedron));
+  let_points_move(env);
+  const size_t count = 3 * size_t{env.map.vertex_count};
+  std::vector<double> points(env.points, env.points + count);
+  env.points = points.data();
+  for (const bool is_turned : {false, true, false}) {
+    for (size_t k = 0; k < count; k += 3) {
+      if (points[k] != 0 && points[k] != 1) points[k] = is_turned ? 0.5 : 2;
+    }
+    env.note_move();
+    env.checked.forget_all();
+    ASSERT_EQ(admits(env, env.map.cell(1)), !is_turned);
+    Trace trace(nullptr);
+    add_impassable(trace, env, false, 1);
+    EXPECT_EQ(trace.triangle_labels.size(), is_turned ? 2u : 0u);
+    EXPECT_NEAR(checked_volume(trace, 1), is_turned ? 1.0 / 3 : 0, 1e-15) << "the face x = 1 with its normal along +x";
+    add_impassable(trace, env, true, 2);
+    EXPECT_NEAR(checked_volume(trace, 2), is_turned ? 1 : 2, 1e-12) << "the passable cells";
+  }
 }
 
 TEST(Trace, MarkedEdgesAndVerticesOnce) {
