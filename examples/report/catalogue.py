@@ -55,8 +55,8 @@ CURVES = {
     "edge_normal": (
         "Bisection depth: the normal",
         "Moves of an edge's end that touch the wall of a lumen, which has steps like stairs: how far is the normal from that of the exact search? "
-        "The dichotomic search gives that of the triangle met last or, as in the paper, the mean of the walls at its "
-        "nearest vertex."),
+        "The dichotomic search gives that of the triangle met last or, as in the paper, the mean of the normals of the "
+        "walls at its nearest vertex."),
     "move_time": (
         "Bisection depth: all moves",
         "The same where moves are a quarter of a cell long and most of them are free: what a move costs, and how far the times "

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/compiler.h"
 #include "dartsweep/environment.h"
 #include "environment/environment.h"
 #include "environment/touching.h"
@@ -28,7 +29,8 @@ constexpr size_t kCellsAtOnce = size_t{1} << 14;  // that one thread takes
 /** Whether work on the cells of a map is shared out. */
 template <int D>
 bool is_shared(const Map<D>& map, const Parallel& parallel) {
-  return map.cell_count >= 4 * kCellsAtOnce && (parallel.run != nullptr || parallel.thread_count > 1);
+  return map.cell_count >= 4 * kCellsAtOnce &&
+         (parallel.run != nullptr || (DSW_HAS_THREADS && parallel.thread_count > 1));
 }
 
 struct BuildReport {

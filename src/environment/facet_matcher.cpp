@@ -184,8 +184,10 @@ class Matching {
       return;
     }
     if (is_matched(side)) {
-      const bool is_first = found.defect == MatchDefect::kNone;
-      found.offend(MatchDefect::kThirdCell, is_first ? first_cell_of(side) : 0, map_.index(c));
+      // Only the first defect names its first cell. While other parts write links no link is read: after a defect all is
+      // matched again by one thread.
+      const bool needs_first = found.defect == MatchDefect::kNone && !is_shared;
+      found.offend(MatchDefect::kThirdCell, needs_first ? first_cell_of(side) : 0, map_.index(c));
     } else if (direction == Direction::kSame) {
       found.offend(MatchDefect::kSameSide, map_.index(map_.cell_of({side})), map_.index(c));
     } else {

@@ -1,6 +1,8 @@
 // Places of roots that become ever narrower. Private to this folder.
 #pragma once
 
+#include <cmath>
+
 #include "predicates/polynomial_parts.h"
 
 namespace dsw {

@@ -34,7 +34,7 @@ struct TurningPair {
 // What a caller knows beforehand.
 struct Asked {
   double until = 1;      // a touch after this time may be left out
-  bool is_near = false;  // along no axis the features are apart on all of their ways, or hardly ever
+  bool is_near = false;  // features are hardly ever apart along an axis on all of their ways, so this is not looked at
 };
 
 template <int D>

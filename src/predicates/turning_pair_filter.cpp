@@ -135,7 +135,7 @@ class TurningFilter {
     return true;
   }
 
-  // A time later than the next double after another one, as the search takes it.
+  // A time not before the next double after another one, as the search takes it.
   static double end_after(double time) noexcept {
     constexpr double kParts = 0x1p20;
     return time < 1 - 1 / kParts ? (std::floor(time * kParts) + 1) / kParts : 1;

@@ -120,7 +120,7 @@ void NearList<D>::add_features_at(uint32_t vertex) {
     }
   }
   dsw::sort(others, others + count);
-  // Both sides of a triangle are listed, or one. In each fan of a ring with both sides are all of its triangles.
+  // A triangle is listed from both sides or from one. If all of a ring are listed from both, each fan has all of them.
   const size_t listed = count;
   bool is_twice = listed % 2 == 0;
   for (size_t i = 0; is_twice && i < listed; i += 2) is_twice = others[i] == others[i + 1];

@@ -45,6 +45,17 @@ bool feet_are_inside(const double* const* p, const double* const* a) noexcept {
          lean_sign<D>({p[0], p[1]}, {a[1], a[0]}, {a[1], p[0]}) > 0;
 }
 
+/** Whether two obstacles are both sides of one wall, or the same side. */
+template <int D>
+bool is_same_wall(const WallFeature& a, const WallFeature& b) noexcept {
+  if (!a.facet.valid() || !b.facet.valid()) return false;
+  uint32_t shared = 0;
+  for (int i = 0; i < D; ++i) {
+    for (int k = 0; k < D; ++k) shared += a.vertices[i] == b.vertices[k];
+  }
+  return shared == D;
+}
+
 }  // namespace
 
 template <int D>
@@ -146,17 +157,6 @@ bool PairSearch<D>::has_fans(uint32_t feature) const {
   });
   list_.set_fans(feature, !is_one);
   return !is_one;
-}
-
-/** Whether two obstacles are both sides of one wall, or the same side. */
-template <int D>
-bool is_same_wall(const WallFeature& a, const WallFeature& b) noexcept {
-  if (!a.facet.valid() || !b.facet.valid()) return false;
-  uint32_t shared = 0;
-  for (int i = 0; i < D; ++i) {
-    for (int k = 0; k < D; ++k) shared += a.vertices[i] == b.vertices[k];
-  }
-  return shared == D;
 }
 
 template <int D>

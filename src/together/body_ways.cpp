@@ -4,7 +4,6 @@
 #include "together/body_ways.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/search.h"
 

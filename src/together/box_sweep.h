@@ -5,7 +5,6 @@
 // large box costs nothing but its own overlaps.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -224,7 +223,7 @@ void BoxSweep<D>::set_frame(const Array<Box<D>>& boxes, const Array<Box<D>>& oth
   }
 }
 
-/** Axes along which few of some pairs of boxes overlap come first. Strips are one to two times as high as some boxes in the mean. */
+/** Axes along which few of some pairs of boxes overlap come first. Strips are at least as high as some boxes in the mean. */
 template <int D>
 void BoxSweep<D>::choose_strips(const Array<Steps>& boxes, const Array<Steps>& others) noexcept {
   constexpr uint64_t kSamples = 16, kStride = 2654435761;

@@ -49,8 +49,8 @@ struct TimeOfGap {
   bool is_later;  // than the time that was given
 };
 
-/** When a pair that comes too near at `time` is nearest after that, about. The time itself if the pair comes nearer than half of what is
- * wanted, or its normal turns much: then it says little of how to keep apart. */
+/** About when a pair is nearest that comes too near at `time`. It is `time` itself if the pair comes nearer than half of the wanted
+ * distance, or its normal turns much: a later time would say little of how to keep apart. */
 template <int D>
 TimeOfGap worst_time(const HullWays<D>& ways, double time, double wanted) noexcept;
 

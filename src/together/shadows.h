@@ -2,7 +2,6 @@
 // Points along a few directions, where they start and where they end: what one direction parts then it parts on the whole way, since all
 // points go straight and steadily.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

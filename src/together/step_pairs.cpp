@@ -2,6 +2,9 @@
 
 #include "together/step_pairs.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/search.h"
 
 namespace dsw {

@@ -54,7 +54,8 @@ class TouchRows {
                                uint32_t count);
   static constexpr uint32_t kMostPoints = 2 * D;  // two edges in the plane, two faces in space
   using Key = std::tuple<uint32_t, double, std::array<double, 2 * D * kMostPoints>>;
-  /** dot(normal, sum of weights times places) is at least `wanted` and `apart` at a time of the ways, and `begin` at their start. */
+  /** dot(normal, sum of weights times places) is `begin` at the start of the ways, and has to be at least the sum of `wanted` and
+   * `apart` at `time`. */
   struct Row {
     Key key;
     NearName name;  // of a distance; else zeros
