@@ -154,7 +154,7 @@ DSW_API void dsw_environment_desc_init(dsw_environment_desc *desc, size_t size);
  * @return DSW_STATUS_TOO_LARGE, INDEX_OUT_OF_RANGE, BAD_CELL_TYPE, BAD_CELL, INVERTED_CELL,
  * INVALID_CELL, DUPLICATE_CELL, SHARED_FACE, BOUNDARY_CROSSES; NOT_CONFORMING: `offenders` are two
  * cells whose faces overlap where DSW_ENVIRONMENT_CONFORM finds no points.
- * @note Cost: O(n) expected. Thread: any. Source: [JCD10] 3.1, 3.2. */
+ * @note Cost: O(n) expected. Batch. Thread: any. Source: [JCD10] 3.1, 3.2. */
 DSW_API dsw_status dsw_environment_create(dsw_context *context, const dsw_environment_desc *desc,
                                           dsw_environment **environment, dsw_build_report *report);
 
