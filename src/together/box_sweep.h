@@ -223,19 +223,15 @@ void BoxSweep<D>::set_frame(const Array<Box<D>>& boxes, const Array<Box<D>>& oth
   }
 }
 
-/** Axes along which few of some pairs of boxes overlap come first. Strips are at least as high as some boxes in the mean. */
+/** Axes along which few of some pairs of boxes overlap come first. Strips are at least as high as all boxes in the mean: so boxes are
+ * in few strips, also where a few of them are much larger than the others. */
 template <int D>
 void BoxSweep<D>::choose_strips(const Array<Steps>& boxes, const Array<Steps>& others) noexcept {
   constexpr uint64_t kSamples = 16, kStride = 2654435761;
   constexpr uint32_t kMostShift = 16, kBoxesInStrip = 16;
-  uint32_t overlaps[D] = {}, sizes[D] = {};
-  const auto add_size = [&](const Steps& each) {
-    for (int k = 0; k < D; ++k) sizes[k] += static_cast<uint32_t>(each.high(k) - each.low(k));
-  };
+  uint32_t overlaps[D] = {};
   for (uint64_t i = 0; i < kSamples; ++i) {
     const Steps& one = boxes[i * kStride % boxes.size()];
-    add_size(one);
-    add_size(others[(i + 1) * kStride % others.size()]);
     for (uint64_t j = 0; j < kSamples; ++j) {
       const Steps& other = others[(i + kSamples * (j + 1)) * kStride % others.size()];
       for (int k = 0; k < D; ++k)
@@ -245,7 +241,12 @@ void BoxSweep<D>::choose_strips(const Array<Steps>& boxes, const Array<Steps>& o
   for (int k = 0; k < D; ++k) axes_[k] = k;
   dsw::sort(axes_, axes_ + D,
             [&](int a, int b) { return overlaps[a] != overlaps[b] ? overlaps[a] < overlaps[b] : a < b; });
-  const uint64_t count = boxes.size() + others.size(), size = sizes[axes_[1]] / (2 * kSamples);
+  const uint64_t count = boxes.size() + others.size();
+  uint64_t size = 0;
+  for (const Array<Steps>* list : {&boxes, &others}) {
+    for (const Steps& each : *list) size += static_cast<uint32_t>(each.high(axes_[1]) - each.low(axes_[1]));
+  }
+  size /= count;
   for (strip_shift_ = scale_[axes_[1]] == 0 ? kMostShift : 4; strip_shift_ < kMostShift; ++strip_shift_) {
     const uint64_t strips = uint64_t{1} << (kMostShift - strip_shift_);
     if (uint64_t{1} << strip_shift_ >= size && strips * kBoxesInStrip <= count) break;

@@ -101,7 +101,10 @@ class Shadows {
       for (int i = 1; i < D; ++i) sums[k] += along_[i][k] * place[i];
     }
     int32_t steps[kDirections];
-    for (int k = 0; k < kDirections; ++k) steps[k] = static_cast<int32_t>(sums[k]);  // to zero, so by less than a step
+    for (int k = 0; k < kDirections; ++k) {
+      // Rounded to zero, so by less than a step. Infinite places are no numbers along directions of which nothing is known.
+      steps[k] = std::isnan(sums[k]) ? 0 : static_cast<int32_t>(sums[k]);
+    }
     int16_t low[kDirections], high[kDirections];
     for (int k = 0; k < kDirections; ++k) low[k] = static_cast<int16_t>(steps[k] - 1);
     for (int k = 0; k < kDirections; ++k) high[k] = static_cast<int16_t>(steps[k] + 1);
