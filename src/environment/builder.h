@@ -1,5 +1,5 @@
 #pragma once
-// Creation: from the arrays of a mesh to a validated environment, in one pass over the cells and expected linear time.
+// Creation: from the arrays of a mesh to a validated environment, in expected linear time.
 
 #include <vector>
 
