@@ -75,21 +75,26 @@ bool shows(const HullWays<D>& ways, const Vec& direction, double most, double en
   return along.at(0) >= enough && along.at(most) >= enough;
 }
 
-/** Across a facet of a side, at the start, from the second side to the first. Zero if there is no facet. */
+/** Across the facet that is a side, at the start, from the second side to the first. */
+template <int D>
+Vec across_facet(const HullWays<D>& ways, uint32_t side) noexcept {
+  const double* const* const points = ways.start[side];
+  const Vec edge = difference<D>(points[1], points[0]);
+  Vec normal;
+  if constexpr (D == 2) {
+    normal = unit(turned(edge));
+  } else {
+    normal = unit(unit(edge).cross(unit(difference<D>(points[2], points[0]))));
+  }
+  const bool is_above = dot(normal, difference<D>(ways.start[1 - side][0], points[0])) >= 0;
+  return is_above == (side == 1) ? normal : -1 * normal;
+}
+
+/** Across the first facet. Zero if there is none. */
 template <int D>
 Vec across_facet(const HullWays<D>& ways) noexcept {
   for (uint32_t side = 0; side < 2; ++side) {
-    if (ways.count[side] != D) continue;
-    const double* const* const points = ways.start[side];
-    const Vec edge = difference<D>(points[1], points[0]);
-    Vec normal;
-    if constexpr (D == 2) {
-      normal = unit(turned(edge));
-    } else {
-      normal = unit(unit(edge).cross(unit(difference<D>(points[2], points[0]))));
-    }
-    const bool is_above = dot(normal, difference<D>(ways.start[1 - side][0], points[0])) >= 0;
-    return is_above == (side == 1) ? normal : -1 * normal;
+    if (ways.count[side] == D) return across_facet(ways, side);
   }
   return Vec::Zero();
 }
@@ -249,6 +254,11 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
   for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
     if (piece > 0) gap = gap_at(time, kInf);
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
+    for (uint32_t side = 0; piece == 0 && side < 2; ++side) {  // where a gap is short its facets know it better
+      if (ways.count[side] != D) continue;
+      const Vec facet = across_facet(ways, side);
+      if (LinearGap<D>(ways, facet).at(0) > LinearGap<D>(ways, gap.normal).at(0)) gap.normal = facet;
+    }
     *known = gap.normal;
     const LinearGap<D> along(ways, gap.normal);
     const double bend = ways.bend(gap.normal);
