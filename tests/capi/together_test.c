@@ -261,10 +261,10 @@ static void memory_runs_out(dsw_together_stop stop) {
   end_context(context, &h);
 }
 
-/* Corners that touch need integers, and these are long where the least double stands beside 1. */
+/* What nearly touches needs integers, and these are long where the least double stands beside 1. */
 static void too_much_work_leaves_all_where_it_is(void) {
-  const double least = 5e-324, at[6] = {0.5, 0.5, 0.5, least, 1.5, 0.5}, targets[6] = {1.5, 0.5, 0.5, 1, 1.5, 0.5},
-               other[6] = {1, 0.5, 0.5, 1.5, least, least};
+  const double least = 5e-324, at[6] = {1e-300, 1.0 / 3, 1e-160, 1e-100, 1e-200, least},
+               targets[6] = {1e-160, 0.7, 0.5, 1, 1, least}, other[6] = {least, 1e-300, 1.1, 0.5, 0.5, 1e-160};
   dsw_environment *environment = make_environment(NULL, 3, 3, 3);
   dsw_scene *scene = make_scene(environment, DSW_FEATURE_BODY_CONTACTS);
   const dsw_body_id body = make_edge_body(scene, at, DSW_LEVEL_EDGES_SWEPT);
