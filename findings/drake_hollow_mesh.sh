@@ -8,7 +8,7 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install -q --no-compile drake
+"$folder/venv/bin/pip" install -q --no-compile drake==1.51.1
 cd "$folder"
 venv/bin/python - <<'PY'
 import importlib.metadata

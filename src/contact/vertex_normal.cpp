@@ -1,7 +1,5 @@
 #include "contact/vertex_normal.h"
 
-#include <limits>
-
 #include "base/dimensions.h"
 #include "base/vec.h"
 #include "contact/names.h"
@@ -18,11 +16,11 @@ constexpr double kLeast = 1e-12;
 template <int D>
 uint32_t nearest_vertex(const Environment<D>& env, Cell front, uint32_t facet, const double* point) {
   uint32_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = -1;
   for_each_facet_vertex<D>(env.map.shape(front), facet, [&](uint32_t local) {
     const uint32_t v = env.map.vertex(front, local);
     const double distance = length(difference<D>(env.point(v), point));
-    if (distance < least || least == std::numeric_limits<double>::infinity()) nearest = v, least = distance;
+    if (least < 0 || distance < least) nearest = v, least = distance;
   });
   return nearest;
 }

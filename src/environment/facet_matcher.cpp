@@ -1,6 +1,7 @@
 #include "environment/facet_matcher.h"
 
 #include <atomic>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -302,19 +303,20 @@ MatchDefect match_facets(Environment<D>& env, Offenders& offenders, size_t open_
   Map<D>& map = env.map;
   const bool has_links = open_sides != kAllSides;
   const uint32_t parts = has_links ? 1 : part_count(map, parallel);
-  Matching<D> matching(env);
+  std::optional<Matching<D>> matching(std::in_place, env);
   typename Matching<D>::Found found;
   if (parts > 1) {
-    found = match_parts(map, parallel, parts, matching);
+    found = match_parts(map, parallel, parts, *matching);
     if (found.defect != MatchDefect::kNone) {  // the first one in the order of cells is wanted
+      matching.reset();
       unlink(map);
       return match_facets(env, offenders, open_sides, kOneThread);
     }
   } else {
-    found = matching.match(0, map.vertex_count, has_links, false);
+    found = matching->match(0, map.vertex_count, has_links, false);
   }
   auto link = [&](size_t begin, size_t end) noexcept {
-    matching.link(static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
+    matching->link(static_cast<uint32_t>(begin), static_cast<uint32_t>(end));
   };
   parallel_chunks(parts > 1 ? parallel : kOneThread, map.cell_count, kCellsAtOnce, link);
   map.facet_count = found.facets;

@@ -47,11 +47,11 @@ bool is_near_edge(const Vec* first, const Vec* second, double length) noexcept {
 
 template <int D>
 bool is_surely_near(const Body<D>& body, const RigidTouch<D>& touch, double length) noexcept {
+  if constexpr (D != 3) return false;
   Vec own[3], other[3];
   uint32_t count = 0;
   for (const uint32_t v : SimplexCorners<D>(body, touch.part)) own[count++] = to_vec<D>(body.position(v));
   for (uint32_t i = 0; i < touch.count; ++i) other[i] = to_vec<D>(touch.points[i]);
-  if (D != 3) return false;
   if (count == 2 && touch.count == 2) return is_near_edge(own, other, length);
   if (count == 1 && touch.count == 3) return is_near_face(own[0], other, length);
   return count == 3 && touch.count == 1 && is_near_face(other[0], own, length);

@@ -254,13 +254,17 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
   for (int piece = 0, near_pieces = 0; piece < kMostPieces; ++piece) {
     if (piece > 0) gap = gap_at(time, kInf);
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
-    for (uint32_t side = 0; piece == 0 && side < 2; ++side) {  // where a gap is short its facets know it better
+    LinearGap<D> along(ways, gap.normal);
+    for (uint32_t side = 0; piece == 0 && side < 2;
+         ++side) {  // the direction across a short gap is known badly, across a facet well
       if (ways.count[side] != D) continue;
       const Vec facet = across_facet(ways, side);
-      if (LinearGap<D>(ways, facet).at(0) > LinearGap<D>(ways, gap.normal).at(0)) gap.normal = facet;
+      const LinearGap<D> across(ways, facet);
+      if (!(across.at(0) > along.at(0))) continue;
+      along = across;
+      gap.normal = facet;
     }
     *known = gap.normal;
-    const LinearGap<D> along(ways, gap.normal);
     const double bend = ways.bend(gap.normal);
     double accepted = kept + bend;
     if (piece == 0) {

@@ -187,6 +187,9 @@ static void particles_of_a_scene(int plane) {
 /* A body of an edge, and its move. */
 static void a_body(int plane) {
   static const double at[6] = {1.25, 0.25, 1.5, 1.25, 3.75, 1.5}, to[6] = {3.25, 0.25, 1.5, 3.25, 3.75, 1.5};
+  const dsw_volume_id pillar = {plane ? 6 : 22, 1};
+  const dsw_body_contact *contacts = NULL;
+  dsw_move_options o = move_options();
   dsw_body_desc d = line_desc(at, 2, 0, DSW_LEVEL_EDGES_SWEPT);
   dsw_body_id body = {0, 0};
   double now[6];
@@ -205,6 +208,13 @@ static void a_body(int plane) {
   CHECK(refusals >= 1);
   CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 24, NULL, &count));
   CHECK(memcmp(now, to, sizeof now) == 0);
+  o.search = DSW_SEARCH_BISECTION_VERTEX; /* looks round a vertex of the wall */
+  CHECK_OK(dsw_environment_mark_volumes(g_env, &pillar, 1, DSW_MARK_IMPASSABLE, 0, NULL));
+  for (refusals = 0; RUNS_OUT(&g_host, refusals, dsw_body_move(g_scene, body, at, 2, 24, &o, NULL)); ++refusals) {
+    CHECK_OK(dsw_body_get_positions(g_scene, body, now, 2, 24, NULL, &count));
+    CHECK(memcmp(now, to, sizeof now) == 0);
+  }
+  CHECK(refusals >= 1 && dsw_body_get_contacts(g_scene, body, &contacts, &count) == DSW_STATUS_OK && count >= 1);
   end();
 }
 

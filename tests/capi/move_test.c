@@ -257,6 +257,21 @@ static void searches_agree(void) {
   mark_pillar(DSW_MARK_PASSABLE);
 }
 
+/* The two sides of a thin wall cancel at its rim: the normal is that of the side. */
+static void the_sides_of_a_thin_wall_have_no_mean(void) {
+  const dsw_body_id body = make_line(g_left, 2, DSW_LEVEL_EDGES_SWEPT);
+  const uint32_t side = g_dimension == 3 ? (uint32_t)FACE_X1 : 1;
+  const dsw_body_contact *c = NULL;
+  dsw_move_options o = move_options();
+  o.search = DSW_SEARCH_BISECTION_VERTEX;
+  CHECK_OK(mark_face(g_pillar - 1, side, DSW_MARK_IMPASSABLE));
+  CHECK(move(body, g_right, 2, &o).contact_count >= 1 && contacts_of(body, &c) >= 1);
+  CHECK(c->contact.normal[0] == 1 && c->contact.normal[1] == 0 &&
+        c->contact.normal[2] == 0); /* where the cast comes from */
+  CHECK_OK(mark_face(g_pillar - 1, side, DSW_MARK_PASSABLE));
+  CHECK_OK(dsw_body_destroy(g_scene, body));
+}
+
 /* In space: a face meets the upper corner at the lower edge of a thin wall, from its right and from its left: the tag
    is that of its other side. */
 static void a_tag_at_a_corner_of_a_wall_is_that_of_its_other_side(void) {
@@ -540,6 +555,7 @@ static void in_both(void) {
   a_vertex_stops_or_slides();
   responses_insert_vertices();
   searches_agree();
+  the_sides_of_a_thin_wall_have_no_mean();
   bad_options_are_refused();
   bad_arguments_change_nothing();
   free_slots_are_left_out();
