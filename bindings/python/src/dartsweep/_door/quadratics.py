@@ -19,7 +19,7 @@ _CORNER_TETRAS = [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3)]
 _INNER_TETRAS = [  # for each diagonal of the octahedron that is left
     [(4, 9, 5, 6), (4, 9, 6, 7), (4, 9, 7, 8), (4, 9, 8, 5)],
     [(5, 7, 4, 8), (5, 7, 8, 9), (5, 7, 9, 6), (5, 7, 6, 4)],
-    [(6, 8, 4, 7), (6, 8, 7, 9), (6, 8, 9, 5), (6, 8, 5, 4)],
+    [(6, 8, 7, 4), (6, 8, 9, 7), (6, 8, 5, 9), (6, 8, 4, 5)],
 ]
 _TRIANGLES = [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)]
 _QUADS = [(0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3)]
@@ -122,8 +122,10 @@ def _check(made: Made, rows: Indices) -> None:
 
 
 def _split_tetra(made: Made, rows: Indices) -> _Found:
-    """Four tetrahedra at the corners, and four round the diagonal of the rest with which the least of these is largest."""
-    least = [np.min([_volumes(made.points[rows[:, tetra]]) for tetra in choice], axis=0) for choice in _INNER_TETRAS]
+    """Four tetrahedra at the corners, and four round the diagonal of the rest with which the least of these is largest. All parts of a cell
+    that is inside out are so, too."""
+    sign = np.where(_volumes(made.points[rows[:, :4]]) < 0, -1.0, 1.0)
+    least = [np.min([sign * _volumes(made.points[rows[:, tetra]]) for tetra in choice], axis=0) for choice in _INNER_TETRAS]
     best = np.argmax(least, axis=0)
     inner = rows[np.arange(len(rows))[:, None, None], np.array(_INNER_TETRAS)[best]]
     children = np.concatenate([rows[:, np.array(_CORNER_TETRAS)], inner], axis=1)
