@@ -1,7 +1,7 @@
 #!/bin/sh
 # Gmsh and quadratic wedges and hexahedra in Abaqus files (.inp).
 # One would guess that wedges of 15 nodes are written as C3D15 and hexahedra as C3D20, the types that Abaqus and CalculiX have.
-# What happens: wedges of 18 nodes are written as C3D6, the type with 6 nodes, and hexahedra of 27 nodes as C3D27, which Abaqus has not.
+# What happens: wedges of 18 nodes are written as C3D6, the type with 6 nodes, and hexahedra of 27 nodes as C3D27, which CalculiX has not.
 # With the option Mesh.SecondOrderIncomplete, cells have 15 and 20 nodes and the right names. No warning is given.
 # Who meets it: whoever extrudes a boundary layer in Gmsh, sets order 2 and solves with CalculiX, or reads the file with meshio, which stops.
 set -eu

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import pathlib
 from typing import Any
 
 import meshio
@@ -135,3 +136,36 @@ def test_cells_that_can_not_be_divided_name_the_way_on() -> None:
         ds.from_meshio(cubic, quadratic="split")
     with pytest.raises(ValueError, match="corners"):
         ds.read(__file__, quadratic="both")
+
+
+def curved(kind: str) -> Any:
+    """Nodes of a cell with curved sides, no two of which are alike."""
+    return cell(kind) + np.random.default_rng(7).uniform(-0.04, 0.04, cell(kind).shape)
+
+
+TEXTS = {  # how a cell stands in a file, and which of our nodes stands where
+    ("hexahedron27", "inp"): ("*ELEMENT, TYPE=C3D27", [*range(20), 26, 24, 25, 22, 21, 23, 20]),
+    ("wedge18", "inp"): ("*ELEMENT, TYPE=C3D15V", list(range(18))),
+    ("wedge18 by Gmsh", "inp"): ("*ELEMENT, TYPE=C3D6", [*range(7), 8, 12, 7, 13, 14, 9, 11, 10, 15, 17, 16]),
+    ("tetra10", "dato"): ("$ELEMENT TYPE=TET10", [0, 4, 1, 5, 2, 6, 7, 8, 9, 3]),
+}
+
+
+@pytest.mark.parametrize(("kind", "ending"), TEXTS)
+def test_nodes_of_quadratic_cells_of_texts(kind: str, ending: str, tmp_path: pathlib.Path) -> None:
+    """Each format has the middles of sides and faces in an order of its own."""
+    head, order = TEXTS[kind, ending]
+    points, kind = curved(kind.split()[0]), kind.split()[0]
+    between, nodes = (", ", "*NODE") if ending == "inp" else (" ", "$COOR NSET=all")
+    rows = "".join(between.join(map(str, (i, *place))) + "\n" for i, place in enumerate(points.tolist(), 1))
+    (tmp_path / f"one.{ending}").write_text(f"{nodes}\n{rows}{head}\n1{between}{between.join(str(i + 1) for i in order)}\n")
+    for quadratic in ("corners", "split"):
+        with ds.read(tmp_path / f"one.{ending}", quadratic=quadratic) as environment, made(kind, points, quadratic) as expected:
+            assert volume_of(environment) == pytest.approx(volume_of(expected), rel=1e-12)
+
+
+def test_quadratic_cells_of_which_no_order_is_known_are_told(tmp_path: pathlib.Path) -> None:
+    rows = "".join(f"{i} {x} {y} {z}\n" for i, (x, y, z) in enumerate(cell("hexahedron20").tolist(), 1))
+    (tmp_path / "one.dato").write_text(f"$COOR NSET=all\n{rows}$ELEMENT TYPE=HEXE20\n1 {' '.join(str(i) for i in range(1, 21))}\n")
+    with pytest.raises(ds.MeshError, match="does not know the order"):
+        ds.read(tmp_path / "one.dato")

@@ -19,6 +19,8 @@ from .raw import Raw
 _SOLID = {4: 10, 5: 14, 6: 13, 8: 12, 10: 24, 13: 27, 15: 26, 18: 32, 20: 25, 27: 29}  # by the number of nodes: VTK's type
 _SHELL = {3: 5, 4: 9, 6: 22, 7: 34, 8: 23, 9: 28}
 _LINE = {2: 3, 3: 21}
+_ORDER = {29: [*range(20), 26, 24, 23, 25, 21, 22, 20]}  # the middle of a hexahedron of 27 nodes comes before those of its sides
+_ORDER_OF_GMSH = {32: [*range(6), 6, 9, 7, 12, 14, 13, 8, 10, 11, 15, 17, 16]}  # of what it calls C3D6
 _SIDES: dict[int, list[tuple[int, ...]]] = {  # of VTK's types: corners of the sides S1, S2, ...
     10: [(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)],
     12: [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)],
@@ -29,6 +31,9 @@ _SIDES: dict[int, list[tuple[int, ...]]] = {  # of VTK's types: corners of the s
 }
 _SOLIDS, _SHELLS = re.compile(r"(?:C|DC|AC|F|Q|EC|EMC|UC)3D(\d+)|(SC)(\d)"), re.compile(r"(?:CP[ES]|CPEG|CAX|S|STRI|M3D|SFM3D|DS|R3D|DC2D|AC2D|ACAX|DCAX)(\d)")
 _LINES, _POINTS = re.compile(r"(?:D$|T[23]D|B[23]|R2D|CONN?3D|F[23]D|GAP|PIPE|DASHPOT|SPRING)"), re.compile(r"(?:MASS|ROTARY)")
+_OF_FILES = ("NODE", "ELEMENT", "ELSET", "SURFACE")
+"""Keywords whose rows may be in a file of their own."""
+_GENERATING = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY")
 _WAY_ON = "the program that made it can write a flat file, or Exodus or VTK"
 
 
@@ -55,6 +60,8 @@ class _Scope:
     sets: dict[str, list[Any]] = dataclasses.field(default_factory=dict)
     """Numbers, names of other sets, and numbers with the name of an instance."""
     surfaces: dict[str, list[list[str]]] = dataclasses.field(default_factory=dict)
+    system: Any = None
+    """Origin and axes of the system that *SYSTEM gives nodes."""
 
 
 class _Reading(_Scope):
@@ -74,7 +81,11 @@ class _Reading(_Scope):
             elif keyword in ("END PART", "ASSEMBLY"):
                 now = self
             elif keyword == "NODE":
-                now.nodes += rows
+                now.nodes += self._nodes(now, options, rows)
+            elif keyword == "SYSTEM":
+                now.system = _system(rows)
+            elif keyword in _GENERATING:
+                raise MeshError(self.source, f"it makes nodes or elements by *{keyword}", _WAY_ON)
             elif keyword == "ELEMENT":
                 self._add_elements(now, options, rows)
             elif keyword == "ELSET":
@@ -94,9 +105,9 @@ class _Reading(_Scope):
         if part not in self.parts:
             raise MeshError(self.source, f"it places a part '{part}' that it does not have", _WAY_ON)
         of, before = self.parts[part], "" if len(self.instances) == 1 else f"{name}."
-        own = np.array([_four(row) for row in of.nodes], np.float64).reshape(-1, 4)
+        own = _table(of.nodes)
         own[:, 1:] = placed(own[:, 1:], [[float(word) for word in row.split(",") if word.strip()] for row in rows])
-        table = np.array([_four(row) if isinstance(row, str) else row for row in self.nodes], np.float64).reshape(-1, 4)
+        table = _table(self.nodes)
         more_nodes = int(table[:, 0].max(initial=0))
         more = max((int(numbers[:, 0].max(initial=0)) for _, numbers in self.elements), default=0)
         own[:, 0] += more_nodes
@@ -112,6 +123,21 @@ class _Reading(_Scope):
         for members in self.sets.values():  # sets of the assembly name elements of an instance
             members[:] = [each[1] + more if isinstance(each, tuple) and each[0].upper() == name.upper() else each for each in members]
 
+    def _nodes(self, now: _Scope, options: dict[str, str], rows: list[str]) -> Any:
+        """Rows of nodes, in the coordinates of the whole."""
+        system = options.get("SYSTEM", "R").upper()[:1]
+        if system not in ("R", "C"):
+            raise MeshError(self.source, f"nodes are in a system '{options['SYSTEM']}', which is not rectangular or cylindrical", _WAY_ON)
+        if system == "R" and now.system is None:
+            return rows
+        table = _table(rows)
+        if system == "C":  # distance from the axis, degrees, height
+            radius, angle = table[:, 1].copy(), np.radians(table[:, 2])
+            table[:, 1], table[:, 2] = radius * np.cos(angle), radius * np.sin(angle)
+        if now.system is not None:
+            table[:, 1:] = now.system[0] + table[:, 1:] @ now.system[1]
+        return list(table)
+
     def _add_elements(self, now: _Scope, options: dict[str, str], rows: list[str]) -> None:
         name = options.get("TYPE", "").upper()
         kind, width = self._type_of(name)
@@ -122,8 +148,11 @@ class _Reading(_Scope):
             of_width = _SOLID if linear.DIMENSION[kind] == 3 else _SHELL
             if len(numbers) % count or width not in of_width:
                 raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
-            kind = of_width[width]  # Gmsh calls wedges of 15 nodes C3D6
+            kind = of_width[width]  # Gmsh calls wedges of 15 and 18 nodes C3D6
         numbers = numbers.reshape(-1, width + 1)
+        order = (_ORDER_OF_GMSH if name == "C3D6" else _ORDER).get(kind)
+        if order is not None:
+            numbers[:, 1:] = numbers[:, 1 + np.array(order)]
         now.elements.append((kind, numbers))
         if "ELSET" in options:
             now.sets.setdefault(options["ELSET"], []).append(numbers[:, 0])
@@ -160,7 +189,7 @@ class _Reading(_Scope):
                     own.append(np.array([int(word)]) if instance is None else (instance, np.array([int(word)])))
 
     def raw(self) -> Raw:
-        table = np.array([_four(row) if isinstance(row, str) else row for row in self.nodes], np.float64).reshape(-1, 4)
+        table = _table(self.nodes)
         ids = table[:, 0].astype(np.int64)
         index = _index_of(ids)
         parts = [linear.uniform(kind, index[rows[:, 1:]]) for kind, rows in self.elements]
@@ -220,6 +249,25 @@ def placed(points: Any, rows: list[list[float]]) -> Any:
     return a + along + np.cos(angle) * (away - along) + np.sin(angle) * np.cross(axis, away)
 
 
+def _system(rows: list[str]) -> Any:
+    """Origin, and the axes as rows, of *SYSTEM: the origin, a point on the first axis, and one in the plane of the first two; None: the whole's."""
+    words = [float(word) for row in rows for word in row.split(",") if word.strip()]
+    if not words:
+        return None
+    places = np.array(words, np.float64).reshape(-1, 3)
+    if len(places) == 1:
+        return places[0], np.eye(3)
+    along = places[1] - places[0]
+    up = np.cross(along, places[2] - places[0] if len(places) > 2 else np.cross((0.0, 0.0, 1.0), along))
+    axes = np.array([along, np.cross(up, along), up])
+    return places[0], axes / np.linalg.norm(axes, axis=1)[:, None]
+
+
+def _table(nodes: Any) -> Any:
+    """Numbers and coordinates of nodes, of rows as text or of numbers."""
+    return np.array([_four(row) if isinstance(row, str) else row for row in nodes], np.float64).reshape(-1, 4)
+
+
 def _four(row: str) -> list[str]:
     """Number and coordinates of a node; those that are left out are 0."""
     words = [word.strip() or "0" for word in row.split(",")[:4]]
@@ -246,11 +294,19 @@ def _blocks(path: str) -> Iterator[tuple[str, dict[str, str], list[str]]]:
             keyword, options = _keyword(line)
             rows = []
             if keyword == "INCLUDE":
-                included = os.path.join(os.path.dirname(path), options.get("INPUT", ""))
-                if not os.path.isfile(included):
-                    raise ValueError(f"it includes '{options.get('INPUT', '')}', which is not there")
-                yield from _blocks(included)
+                yield from _blocks(_beside(path, options.get("INPUT", "")))
+            elif keyword in _OF_FILES and "INPUT" in options:
+                with open(_beside(path, options["INPUT"]), encoding="latin-1") as more:
+                    rows = [row.strip() for row in more if row.strip() and not row.startswith("**")]
     yield keyword, options, rows
+
+
+def _beside(path: str, name: str) -> str:
+    """A file that another one names."""
+    named = os.path.join(os.path.dirname(path), name)
+    if not os.path.isfile(named):
+        raise ValueError(f"it includes '{name}', which is not there")
+    return named
 
 
 def _keyword(line: str) -> tuple[str, dict[str, str]]:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import linear, msh_walk
+from . import linear, msh_walk, nastran_systems
 from .linear import Cells
 from .mesh import Indices
 from .raw import Raw
@@ -61,8 +61,11 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
     try:
         gmsh.merge(known)
         raw = raw_of_model(source, not _is_of_blocks(path, format))
-        if format == "bdf" and raw.regions is None:
-            _label_entities(gmsh, raw)
+        if format == "bdf":
+            numbers = np.sort(_signed(gmsh.model.mesh.getNodes(returnParametricCoord=False)[0]))
+            raw.points = nastran_systems.placed(path, source, numbers, raw.points)
+            if raw.regions is None:
+                _label_entities(gmsh, raw)
         _check_count(path, format, raw)
         return raw
     except MeshError:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
-from . import fluent_faces, linear, polyhedra
+from . import fluent_faces, linear, nastran_systems, polyhedra
 from .linear import Cells
 from .mesh import Indices
 from .ragged import groups_by_number, offsets_of
@@ -32,7 +32,9 @@ _LOSES_CELLS = re.compile(
 )
 _MIRRORED_BY_FORMAT = {
     "med": {10: [0, 2, 1, 3], 12: [0, 3, 2, 1, 4, 7, 6, 5], 13: [0, 2, 1, 3, 5, 4], 14: [0, 3, 2, 1, 4]},
+    "permas": {22: [0, 2, 4, 1, 3, 5], 24: [0, 2, 4, 9, 1, 3, 5, 6, 7, 8]},  # middles stand between the corners
 }
+_UNKNOWN_ORDERS = {"permas": (23, 25, 26, 27, 28, 29)}
 
 
 def read(path: str, source: str, format: str) -> Raw:
@@ -41,6 +43,8 @@ def read(path: str, source: str, format: str) -> Raw:
 
     if format == "ansys" and fluent_faces.has_faces(path):
         raise MeshError(source, "meshio would keep its faces and leave out its cells", _WAY_ON)
+    if format == "nastran" and nastran_systems.has_any(path):
+        raise MeshError(source, "meshio would take points of other coordinate systems for global ones", "Gmsh reads it")
     output = io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
@@ -53,6 +57,8 @@ def read(path: str, source: str, format: str) -> Raw:
     if _LOSES_CELLS.search(printed):
         raise MeshError(source, f"meshio would leave out a part ({printed})", _WAY_ON)
     raw = raw_of(mesh, source)
+    if np.any(np.isin(raw.cells.types, _UNKNOWN_ORDERS.get(format, ()))):
+        raise MeshError(source, "meshio does not know the order of the nodes of its quadratic cells", _WAY_ON)
     _mirror(raw.cells, _MIRRORED_BY_FORMAT.get(format, {}))
     return raw
 
@@ -143,7 +149,7 @@ def _name_families(raw: Raw, names: dict[int, list[str]]) -> None:
 
 
 def _mirror(cells: Cells, orders: dict[int, list[int]]) -> None:
-    """Turns types that a format numbers the other way."""
+    """Turns types that a format numbers in another way."""
     for kind, order in orders.items():
         rows = np.flatnonzero(cells.types == kind)
         starts = cells.offsets[rows][:, None]
