@@ -7,6 +7,7 @@
 #include "support.h"
 #include "thick_truth.h"
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -39,7 +40,11 @@ class ThickScene {
   dsw_scene* handle() const { return scene_; }
   dsw_environment* environment() const { return dsw_scene_get_environment(scene_); }
   size_t obstacle_count() const { return obstacles_.size(); }
+  /// Of the environment.
+  const std::vector<Vec>& points() const { return points_; }
   std::vector<ThickBody> bodies;
+  /// Whether a part of a body has to keep away from an obstacle; none: from all.
+  std::function<bool(size_t body, const ThickPart&, const Hull& obstacle)> counts;
 
   /// Again, after a change of the environment.
   void read_obstacles() {
@@ -428,6 +433,7 @@ class ThickScene {
         kept = keep;
       }
       if (!is_nearer(part.hull, foe, *limit)) return;
+      if (other < 0 && counts && !counts(i, part, foe)) return;
       const double share_missing =
           mpf_class(1 - root(square_of_distance(part.hull, foe)) / mpf_class(keep, 256)).get_d();
       text = "a part of " + std::to_string(part.vertices.size()) + " vertices with " +
@@ -444,7 +450,7 @@ class ThickScene {
   dsw_scene* scene_;
   bool meets_;
   std::vector<Obstacle> obstacles_;
-  std::vector<Vec> points_;  // of the environment
+  std::vector<Vec> points_;
 };
 
 }  // namespace dsw::oracle

@@ -1,6 +1,7 @@
 // Thick bodies of which all vertices move at once, between walls that stand or move, with every response: every distance is kept at
 // every time of the way, and what stops is as near to something as it may be. Figures are printed.
 #include "thick_checks.h"
+#include "thick_reach.h"
 
 #include <deque>
 
@@ -13,6 +14,7 @@ class ThickTogether {
     mark();
     handle_ = make_scene(place_.get(), DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_DEFORMING);
     scene_ = std::make_unique<ThickScene>(handle_.get(), true);
+    reach_ = std::make_unique<ThickReach>(place_.get(), scene_->points());
     make_bodies();
   }
   ~ThickTogether() {
@@ -33,8 +35,10 @@ class ThickTogether {
       if (ids_.empty()) continue;
       next_.clear();
       if (rng_.chance(0.5)) choose_next();
+      reach_->start();
       if (round % 4 == 1) ask_step(before);
       next_.empty() ? move() : deform();
+      reach_->read();
       scene_->read_all();
       scene_->read_obstacles();
       check_way(before, *scene_);
@@ -136,7 +140,7 @@ class ThickTogether {
     whole_ = options.stop == DSW_TOGETHER_STOP_ALL && report.invalid_count == 0;
     count(reports);
   }
-  /// Where all stop together, something is as near as it may be.
+  /// Where all stop together, something is as near as it may be; in a folded environment it may not be seen.
   void check_stop(const ThickScene& before) {
     bool is_there = true;
     size_t at = 0;
@@ -214,10 +218,17 @@ class ThickTogether {
   static const ThickBody& body_of(const ThickScene& scene, dsw_body_id id) {
     return body_of(const_cast<ThickScene&>(scene), id);
   }
+  /// What counts when a share of the way from one scene to the other is made.
+  void set_counts(ThickScene& now, const ThickScene& before, const ThickScene& after, double share) const {
+    now.counts = [&before, &after, share, this](size_t body, const ThickPart& part, const Hull& obstacle) {
+      return reach_->sees(before, after, share, body, part, obstacle);
+    };
+  }
   void check_way(const ThickScene& before, const ThickScene& after) {
     ThickScene now = before;
     for (const double time : {rng_.range(0, 1), rng_.range(0, 1), 1.0}) {
       now.place_obstacles(before, after, time);
+      set_counts(now, before, after, time);
       for (size_t i = 0; i < now.bodies.size(); ++i) {
         std::vector<Vec>& at = now.bodies[i].state.at;
         for (size_t v = 0; v < at.size(); ++v) {
@@ -243,6 +254,7 @@ class ThickTogether {
   std::vector<dsw_body_id> ids_;
   ScenePtr handle_;
   std::unique_ptr<ThickScene> scene_;
+  std::unique_ptr<ThickReach> reach_;
 };
 
 TEST(ThickTogether, EveryDistanceIsKeptOnTheWholeWay) {
