@@ -62,6 +62,7 @@ list(APPEND dsw_sources
   environment/general_records.cpp
   environment/cell_tree.cpp
   environment/cell_index.cpp
+  environment/curve.cpp
   environment/collapsed_loops.cpp
   environment/obstacle_index.cpp
   environment/local_points.cpp

@@ -16,6 +16,8 @@ struct Parallel {
   unsigned thread_count = 0;          // of our own; 0: one per processor
 };
 
+constexpr Parallel kOneThread{nullptr, nullptr, 1};
+
 /** Calls body(context, begin, end) for chunks that cover 0 .. count-1. `body` must not throw. Small batches stay on the
  * calling thread. */
 void parallel_chunks(const Parallel& parallel, size_t count, size_t chunk_size, void* context,

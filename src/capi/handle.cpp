@@ -24,6 +24,7 @@ dsw_environment::dsw_environment(dsw_context* owner, uint32_t dimension)
     // Asked once: the answer costs a system call.
     parallel.thread_count = std::max(1u, std::thread::hardware_concurrency());
   }
+  std::visit([&](auto& env) { env.index.share(parallel); }, engine);
 }
 
 template <int D>

@@ -310,7 +310,7 @@ void finish_mesh(Environment<D>& env, const dsw_environment_desc& input, BuildRe
   if (input.tags != nullptr) env.tags.assign(input.tags, input.tags + input.volume_count);
   finish_topology(env, &report, parallel);
   env.index.set_use(tree_use(input.flags));
-  if (env.index.use() == TreeUse::kAtOnce) env.index.build(env);
+  if (env.index.use() == TreeUse::kAtOnce) env.index.build(env, parallel);
   if ((input.flags & DSW_ENVIRONMENT_CHECK_BOUNDARY) != 0) check_boundary(env, report.offenders);
   if ((input.flags & DSW_ENVIRONMENT_FIND_TOUCHING) != 0) report.touching = find_touching(env);
 }

@@ -23,7 +23,6 @@ struct Offenders {
 template <int D>
 struct ReplacedCells;
 
-constexpr Parallel kOneThread{nullptr, nullptr, 1};
 constexpr size_t kCellsAtOnce = size_t{1} << 14;  // that one thread takes
 
 /** Whether work on the cells of a map is shared out. */

@@ -1,6 +1,5 @@
 #include "environment/cell_index.h"
 
-#include "base/owned.h"
 #include "base/slot_pool.h"
 #include "environment/environment.h"
 
@@ -13,12 +12,15 @@ bool CellIndex<D>::is_current(const Environment<D>& env, const CellTree<D>& tree
   return beside == 0 || tree.wear.fetch_add(beside, std::memory_order_relaxed) <= kMostWear * tree.cell_count();
 }
 
-/** A new tree in front of the one that there is. */
 template <int D>
-void CellIndex<D>::replace(const Environment<D>& env) const {
-  Owned<CellTree<D>> made(memory_);
+void CellIndex<D>::make(const Environment<D>& env, const Parallel& parallel, Owned<CellTree<D>>& made) const {
   made.make(memory_);
-  made.get()->build(env);
+  made.get()->build(env, parallel);
+}
+
+/** Puts a new tree in front of the one that there is. */
+template <int D>
+void CellIndex<D>::put(const Environment<D>& env, Owned<CellTree<D>>& made) const noexcept {
   made.get()->made_before = made_.size();
   made.get()->version.store(env.points_version, std::memory_order_relaxed);
   made.get()->older = tree_.load(std::memory_order_relaxed);
@@ -31,16 +33,20 @@ void CellIndex<D>::replace(const Environment<D>& env) const {
 template <int D>
 const CellTree<D>* CellIndex<D>::renew(const Environment<D>& env) const noexcept {
   if (tree_.load(std::memory_order_acquire) == nullptr) {
-    if (use_ == TreeUse::kLeftOut || env.map.cell_count < kFewCells) return nullptr;
+    if (is_left_out(env)) return nullptr;
     if (scans_.fetch_add(1, std::memory_order_relaxed) < kScansFirst) return nullptr;
   }
   try {
     const std::lock_guard<std::mutex> lock(making_);
     CellTree<D>* const tree = tree_.load(std::memory_order_acquire);
     if (tree == nullptr || tree->version.load(std::memory_order_relaxed) == env.points_version) {
-      if (tree == nullptr || !is_current(env, *tree)) replace(env);
+      if (tree == nullptr || !is_current(env, *tree)) {
+        Owned<CellTree<D>> made(memory_);
+        make(env, sharing_, made);
+        put(env, made);
+      }
     } else {
-      tree->fit(env);
+      tree->fit(env, sharing_);
       tree->version.store(env.points_version, std::memory_order_release);
     }
   } catch (...) {  // no memory: whoever asks looks at all cells
@@ -50,8 +56,24 @@ const CellTree<D>* CellIndex<D>::renew(const Environment<D>& env) const noexcept
 }
 
 template <int D>
-void CellIndex<D>::build(const Environment<D>& env) {
-  replace(env);
+void CellIndex<D>::prepare(const Environment<D>& env, const Parallel& parallel, size_t points) const noexcept {
+  if (tree_.load(std::memory_order_acquire) != nullptr || is_left_out(env)) return;
+  if (scans_.load(std::memory_order_relaxed) + points <= kScansFirst) return;
+  try {
+    Owned<CellTree<D>> made(memory_);
+    make(env, parallel, made);
+    const std::lock_guard<std::mutex> lock(making_);
+    if (tree_.load(std::memory_order_relaxed) == nullptr) put(env, made);
+  } catch (...) {  // no memory: whoever asks looks at all cells
+    return;
+  }
+}
+
+template <int D>
+void CellIndex<D>::build(const Environment<D>& env, const Parallel& parallel) {
+  Owned<CellTree<D>> made(memory_);
+  make(env, parallel, made);
+  put(env, made);
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "base/owned.h"
 #include "environment/cell_tree.h"
 
 namespace dsw {
@@ -38,6 +39,9 @@ class CellIndex {
     for (size_t i = tree->made_before; i < made_.size(); ++i) look(made_[i]);
     return true;
   }
+  /** For readers that are about to ask for so many points, before they share these out: makes the first tree if it will be
+   * needed, on the threads of `parallel`. No lock is held meanwhile, because a host's pool may run other readers then. */
+  void prepare(const Environment<D>& env, const Parallel& parallel, size_t points) const noexcept;
   /** Whether there is a tree that fits the points as they are. */
   bool is_ready(const Environment<D>& env) const noexcept {
     const CellTree<D>* const tree = tree_.load(std::memory_order_acquire);
@@ -45,7 +49,11 @@ class CellIndex {
   }
 
   /** For writers. The tree is made now. Throws std::bad_alloc. */
-  void build(const Environment<D>& env);
+  void build(const Environment<D>& env, const Parallel& parallel);
+  void build(const Environment<D>& env) { build(env, sharing_); }
+  /** For writers. Trees that readers make are made on threads of our own, if `parallel` is of these: a host's pool may be
+   * waiting for the reader. */
+  void share(const Parallel& parallel) noexcept { sharing_ = parallel.run == nullptr ? parallel : kOneThread; }
   TreeUse use() const noexcept { return use_; }
   /** For writers. A tree that there is goes. */
   void set_use(TreeUse use) noexcept;
@@ -64,9 +72,14 @@ class CellIndex {
 
   bool is_current(const Environment<D>& env, const CellTree<D>& tree) const noexcept;
   const CellTree<D>* renew(const Environment<D>& env) const noexcept;
-  void replace(const Environment<D>& env) const;
+  void put(const Environment<D>& env, Owned<CellTree<D>>& made) const noexcept;
+  void make(const Environment<D>& env, const Parallel& parallel, Owned<CellTree<D>>& made) const;
+  bool is_left_out(const Environment<D>& env) const noexcept {
+    return use_ == TreeUse::kLeftOut || env.map.cell_count < kFewCells;
+  }
 
   const Memory* memory_;
+  Parallel sharing_ = kOneThread;
   TreeUse use_ = TreeUse::kAtNeed;
   mutable std::atomic<uint32_t> scans_{0};
   mutable std::mutex making_;

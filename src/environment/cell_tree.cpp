@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/compiler.h"
+#include "environment/curve.h"
 #include "environment/environment.h"
 #include "environment/obstacles.h"
 
@@ -20,10 +21,13 @@ struct Box {
   }
   Box(const Environment<D>& env, Cell c, BoxOf content) : Box() {
     const auto add_vertex = [&](uint32_t i) { add(env.point(c, i)); };
+    const uint32_t n = env.map.vertices_of(c);
     if (content == BoxOf::kObstacles) {
       for_each_obstacle_vertex(env, c, add_vertex);
+    } else if (env.checked.active()) {
+      for (uint32_t i = 0; i < n; ++i) add_vertex(i);
     } else {
-      for (uint32_t i = 0, n = env.map.vertices_of(c); i < n; ++i) add_vertex(i);
+      for (uint32_t i = 0; i < n; ++i) add_finite(env.point(c, i));
     }
   }
   /** Coordinates that are not finite are left out: what has them is invalid. */
@@ -34,22 +38,15 @@ struct Box {
       upper[k] = std::max(upper[k], p[k]);
     }
   }
-};
-
-constexpr uint32_t kKeyBits = 12, kIndexBits = 28;  // an axis; of a cell's index
-
-/** Bits of 0 .. 63, D apart. */
-template <int D>
-struct SpreadBits {
-  uint64_t of[64];
-  SpreadBits() {
-    for (uint32_t i = 0; i < 64; ++i) {
-      of[i] = 0;
-      for (uint32_t bit = 0; bit < 6; ++bit) of[i] |= uint64_t{i >> bit & 1u} << D * bit;
+  void add_finite(const double* p) noexcept {
+    for (int k = 0; k < D; ++k) {
+      lower[k] = std::min(lower[k], p[k]);
+      upper[k] = std::max(upper[k], p[k]);
     }
   }
-  uint64_t operator()(uint32_t x) const { return of[x & 63u] | of[x >> 6] << 6 * D; }
 };
+
+constexpr size_t kGroupsAtOnce = 2048;  // that one thread takes
 
 template <int D>
 void prefetch_record(const Environment<D>& env, uint32_t index) noexcept {
@@ -62,45 +59,14 @@ void prefetch_vertices(const Environment<D>& env, uint32_t index) noexcept {
   for (uint32_t i = 0, n = c.valid() ? env.map.vertices_of(c) : 0; i < n; ++i) prefetch_line(env.point(c, i));
 }
 
-/** How far along the Hilbert curve a place is: J. Skilling, Programming the Hilbert curve, 2004. What follows each
- * other on this curve lies side by side, which keeps boxes small. Places are turned and mirrored in cubes of half
- * the size, from the largest cube on. */
-template <int D>
-uint64_t place_on_curve(uint32_t* x, const SpreadBits<D>& spread) noexcept {
-  for (uint32_t half = 1u << (kKeyBits - 1); half > 1; half /= 2) {
-    const uint32_t below = half - 1;
-    for (int k = 0; k < D; ++k) {
-      const uint32_t upper = (x[k] & half) != 0 ? below : 0;
-      const uint32_t swapped = (x[0] ^ x[k]) & (below ^ upper);
-      x[0] ^= upper | swapped;
-      x[k] ^= swapped;
-    }
-  }
-  for (int k = 1; k < D; ++k) x[k] ^= x[k - 1];
-  uint32_t mirrored = 0;
-  for (uint32_t half = 1u << (kKeyBits - 1); half > 1; half /= 2) {
-    if ((x[D - 1] & half) != 0) mirrored ^= half - 1;
-  }
-  uint64_t place = 0;
-  for (int k = 0; k < D; ++k) place |= spread(x[k] ^ mirrored) << (D - 1 - k);
-  return place;
-}
-
-/** Sorts by the bits above the index, which are D digits. */
-template <int D>
-void sort_keys(Array<uint64_t>& keys) {
-  constexpr uint32_t kDigits = 1u << kKeyBits;
-  Array<uint64_t> other(keys.size(), 0, keys.get_allocator());
-  Array<uint32_t> first(kDigits, 0, Allocator<uint32_t>(keys.get_allocator()));
-  for (int digit = 0; digit < D; ++digit) {
-    const uint32_t shift = kIndexBits + kKeyBits * static_cast<uint32_t>(digit);
-    std::fill(first.begin(), first.end(), 0u);
-    for (const uint64_t key : keys) ++first[key >> shift & (kDigits - 1)];
-    uint32_t sum = 0;
-    for (uint32_t& count : first) sum += std::exchange(count, sum);
-    for (const uint64_t key : keys) other[first[key >> shift & (kDigits - 1)]++] = key;
-    keys.swap(other);
-  }
+/** Calls body(i) for 0 .. count-1. */
+template <class Body>
+void for_groups(const Parallel& parallel, size_t count, const Body& body) {
+  auto chunk = [&](size_t begin, size_t end) noexcept {
+    for (size_t i = begin; i < end; ++i) body(i);
+  };
+  if (count <= kGroupsAtOnce) return chunk(0, count);
+  parallel_chunks(parallel, count, kGroupsAtOnce, chunk);
 }
 
 }  // namespace
@@ -126,37 +92,59 @@ void CellTree<D>::set_frame(const Environment<D>& env) noexcept {
   }
 }
 
+/** What a tree is made from. */
 template <int D>
-void CellTree<D>::build(const Environment<D>& env) {
-  Array<uint64_t> keys{Allocator<uint64_t>(memory_)};
-  keys.reserve(env.map.cell_count);
-  for_each_cell(env.map, [&](Cell c) { keys.push_back(env.map.index(c)); });
-  arrange(env, keys);
+struct CellTree<D>::Keys {
+  explicit Keys(const Memory* memory) : groups(memory), others(memory), loose(memory) {}
+
+  Curve<D> curve;
+  Array<uint64_t> groups;  // of level 0, with their places on the curve; kLoose: its cells are sorted one by one
+  Array<uint64_t> others;  // indices of those cells, with their places
+  Array<uint32_t> loose;   // groups, while those of `others` are sought
+
+  static constexpr uint64_t kLoose = ~uint64_t{0};
+
+  /** The key of what lies in a box. */
+  uint64_t key(const int16_t* lower, const int16_t* upper, uint32_t item) const noexcept {
+    uint32_t middle[D];
+    for (int k = 0; k < D; ++k) {
+      middle[k] = static_cast<uint32_t>(lower[k] + upper[k] - 2 * INT16_MIN) >> (17 - kCurveBits);
+    }
+    return curve.key(middle, item);
+  }
+};
+
+template <int D>
+void CellTree<D>::build(const Environment<D>& env, const Parallel& parallel) {
+  cells_.clear();
+  cells_.reserve(env.map.cell_count);
+  for_each_cell(env.map, [&](Cell c) { cells_.push_back(env.map.index(c)); });
+  arrange(env, parallel);
 }
 
 template <int D>
 void CellTree<D>::build(const Environment<D>& env, const Array<uint32_t>& cells) {
-  Array<uint64_t> keys(cells.begin(), cells.end(), Allocator<uint64_t>(memory_));
-  arrange(env, keys);
+  cells_.assign(cells.begin(), cells.end());
+  arrange(env, kOneThread);
 }
 
-/** `keys` are indices of cells at first. */
 template <int D>
-void CellTree<D>::arrange(const Environment<D>& env, Array<uint64_t>& keys) {
+void CellTree<D>::arrange(const Environment<D>& env, const Parallel& parallel) {
   set_frame(env);
-  const SpreadBits<D> spread;
-  for (uint64_t& key : keys) {
-    const Box<D> box(env, env.map.cell(static_cast<uint32_t>(key)), content_);
-    uint32_t middle[D];
-    for (int k = 0; k < D; ++k) {
-      const int twice = step(k, box.lower[k]) + step(k, box.upper[k]) - 2 * INT16_MIN;
-      middle[k] = static_cast<uint32_t>(twice) >> (17 - kKeyBits);
-    }
-    key |= place_on_curve<D>(middle, spread) << kIndexBits;
-  }
-  sort_keys<D>(keys);
-  cells_.resize(keys.size());
-  for (size_t i = 0; i < keys.size(); ++i) cells_[i] = static_cast<uint32_t>(keys[i] & kVertexMask);
+  set_levels();
+  Keys keys(memory_);
+  group_neighbours(env, parallel, keys);
+  keep_neighbours(parallel, keys);
+  group_others(env, parallel, keys);
+  // Groups of cells that were sorted follow the curve.
+  if (keys.loose.size() != order_.size()) sort_along_curve<D>(keys.groups, parallel);
+  for (size_t i = 0; i < order_.size(); ++i) order_[i] = Curve<D>::item(keys.groups[i]);
+  fit_upper(parallel);
+}
+
+/** Room for the groups of all levels. */
+template <int D>
+void CellTree<D>::set_levels() {
   size_t boxes = cells_.size(), groups = 0;
   level_count_ = 0;
   do {
@@ -165,44 +153,121 @@ void CellTree<D>::arrange(const Environment<D>& env, Array<uint64_t>& keys) {
     groups += boxes;
   } while (boxes > 1);
   groups_.resize(groups);
-  fit(env);
+  order_.resize((cells_.size() + kWidth - 1) / kWidth);
+}
+
+/** Makes groups of eight cells that follow each other. A group is kept where its box is no larger than those of its cells
+ * together: then a point lies in no more groups than it would lie in cells' boxes. Boxes of obstacles are asked for what is
+ * near, which they are for few cells: all of them are sorted. */
+template <int D>
+void CellTree<D>::group_neighbours(const Environment<D>& env, const Parallel& parallel, Keys& keys) {
+  keys.groups.resize(order_.size());
+  for_groups(parallel, order_.size(), [&](size_t g) {
+    fit_group(env, g);
+    const Group& group = groups_[g];
+    const Hull hull(group);
+    double whole = 1, sum = 0;
+    for (int k = 0; k < D; ++k) whole *= hull.upper[k] - hull.lower[k] + 1;
+    for (uint32_t i = 0; i < kWidth; ++i) {
+      double part = 1;
+      for (int k = 0; k < D; ++k) part *= std::max(0, group.upper[k][i] - group.lower[k][i] + 1);
+      sum += part;
+    }
+    const bool is_kept = content_ == BoxOf::kCell && kWidth * (g + 1) <= cells_.size() && whole <= sum;
+    keys.groups[g] = is_kept ? keys.key(hull.lower, hull.upper, 0) : Keys::kLoose;
+  });
+  for (size_t g = 0; g < order_.size(); ++g) {
+    if (keys.groups[g] == Keys::kLoose) keys.loose.push_back(static_cast<uint32_t>(g));
+  }
+}
+
+/** Puts the groups that are kept side by side; the cells of the rest go to keys.others. */
+template <int D>
+void CellTree<D>::keep_neighbours(const Parallel& parallel, Keys& keys) {
+  const size_t kept = order_.size() - keys.loose.size();
+  keys.others.resize(cells_.size() - kWidth * kept);
+  for_groups(parallel, keys.loose.size(), [&](size_t i) {
+    const size_t first = kWidth * size_t{keys.loose[i]};
+    const Group& group = groups_[keys.loose[i]];
+    for (uint32_t lane = 0; lane < kWidth && first + lane < cells_.size(); ++lane) {
+      int16_t lower[D], upper[D];
+      for (int k = 0; k < D; ++k) {
+        lower[k] = group.lower[k][lane];
+        upper[k] = group.upper[k][lane];
+      }
+      keys.others[kWidth * i + lane] = keys.key(lower, upper, cells_[first + lane]);
+    }
+  });
+  size_t to = 0;
+  for (size_t g = 0; g < order_.size(); ++g) {
+    if (keys.groups[g] == Keys::kLoose) continue;
+    if (to != g) {
+      groups_[to] = groups_[g];
+      std::copy_n(&cells_[kWidth * g], kWidth, &cells_[kWidth * to]);
+    }
+    keys.groups[to] = keys.groups[g] | to;
+    ++to;
+  }
+}
+
+/** Sorts the other cells along the curve, and makes groups of them. */
+template <int D>
+void CellTree<D>::group_others(const Environment<D>& env, const Parallel& parallel, Keys& keys) {
+  const size_t kept = order_.size() - keys.loose.size();
+  sort_along_curve<D>(keys.others, parallel);
+  for (size_t i = 0; i < keys.others.size(); ++i) cells_[kWidth * kept + i] = Curve<D>::item(keys.others[i]);
+  for_groups(parallel, keys.loose.size(), [&](size_t i) {
+    const size_t g = kept + i;
+    fit_group(env, g);
+    const Hull hull(groups_[g]);
+    keys.groups[g] = keys.key(hull.lower, hull.upper, static_cast<uint32_t>(g));
+  });
 }
 
 template <int D>
-void CellTree<D>::fit(const Environment<D>& env) noexcept {
+void CellTree<D>::fit(const Environment<D>& env, const Parallel& parallel) noexcept {
   set_frame(env);
-  constexpr int16_t kFirst = INT16_MIN, kLast = INT16_MAX;
-  Group nothing;
-  for (int k = 0; k < D; ++k) {
-    nothing.lower[k] = eight_of(kLast);
-    nothing.upper[k] = eight_of(kFirst);
-  }
-  std::fill(groups_.begin(), groups_.end(), nothing);
-  constexpr size_t kVerticesAhead = 8, kRecordAhead = 24;  // neighbours on the curve lie anywhere in memory
-  for (size_t i = 0; i < cells_.size(); ++i) {
+  for_groups(parallel, order_.size(), [&](size_t g) { fit_group(env, g); });
+  fit_upper(parallel);
+}
+
+/** The boxes of the cells of a group of level 0. Neighbours on the curve lie anywhere in memory. */
+template <int D>
+void CellTree<D>::fit_group(const Environment<D>& env, size_t group) noexcept {
+  constexpr size_t kVerticesAhead = 8, kRecordAhead = 24;
+  Group& to = groups_[group];
+  to = nothing();
+  const size_t first = kWidth * group, end = std::min(cells_.size(), first + kWidth);
+  for (size_t i = first; i < end; ++i) {
     if (i + kRecordAhead < cells_.size()) prefetch_record(env, cells_[i + kRecordAhead]);
     if (i + kVerticesAhead < cells_.size()) prefetch_vertices(env, cells_[i + kVerticesAhead]);
     const Cell c = env.map.cell(cells_[i]);
     if (!c.valid()) continue;
     const Box<D> box(env, c, content_);
-    Group& group = groups_[i / kWidth];
     for (int k = 0; k < D; ++k) {
-      group.lower[k][i % kWidth] = step(k, box.lower[k]);
-      group.upper[k][i % kWidth] = step(k, box.upper[k]);
+      to.lower[k][i - first] = step(k, box.lower[k]);
+      to.upper[k][i - first] = step(k, box.upper[k]);
     }
   }
-  for (uint32_t level = 0; level + 1 < level_count_; ++level) {
-    const uint32_t first = level_first_[level], count = level_first_[level + 1] - first;
-    for (uint32_t i = 0; i < count; ++i) {
-      const Group& from = groups_[first + i];
-      Group& to = groups_[level_first_[level + 1] + i / kWidth];
-      for (int k = 0; k < D; ++k) {
-        for (uint32_t lane = 0; lane < kWidth; ++lane) {
-          to.lower[k][i % kWidth] = std::min<int16_t>(to.lower[k][i % kWidth], from.lower[k][lane]);
-          to.upper[k][i % kWidth] = std::max<int16_t>(to.upper[k][i % kWidth], from.upper[k][lane]);
+}
+
+/** The boxes of groups, from those of their parts. */
+template <int D>
+void CellTree<D>::fit_upper(const Parallel& parallel) noexcept {
+  for (uint32_t level = 1; level < level_count_; ++level) {
+    const uint32_t below = level_first_[level - 1], parts = level_first_[level] - below;
+    for_groups(parallel, (parts + kWidth - 1) / kWidth, [&](size_t g) {
+      Group& to = groups_[level_first_[level] + g];
+      to = nothing();
+      for (uint32_t i = 0; i < kWidth && kWidth * g + i < parts; ++i) {
+        const size_t part = kWidth * g + i;
+        const Hull hull(groups_[level == 1 ? order_[part] : below + part]);
+        for (int k = 0; k < D; ++k) {
+          to.lower[k][i] = hull.lower[k];
+          to.upper[k][i] = hull.upper[k];
         }
       }
-    }
+    });
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // A tree of boxes over the cells of an environment, or over the obstacles at its cells: which cells may contain a
-// point, and at which ones obstacles may be near it. Cells are sorted along a Hilbert curve, and eight boxes make a
-// group. Boxes are rounded to 16 bits an axis. Rounding is monotone, so no cell is lost by it.
+// point, and at which ones obstacles may be near it. Eight boxes make a group, and groups are sorted along a Hilbert
+// curve. Eight cells with neighbouring indices make a group where they lie side by side, as they do in most meshes: then
+// the tree is made eight times faster. All other cells are sorted along the curve one by one. Boxes are rounded to 16 bits
+// an axis. Rounding is monotone, so no cell is lost by it.
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +13,7 @@
 #include "base/compiler.h"
 #include "base/memory.h"
 #include "base/nearest_first.h"
+#include "base/parallel.h"
 #include "map/map.h"
 
 namespace dsw {
@@ -25,14 +28,18 @@ template <int D>
 class CellTree {
  public:
   explicit CellTree(const Memory* memory, BoxOf content = BoxOf::kCell)
-      : cells_(Allocator<uint32_t>(memory)), groups_(Allocator<Group>(memory)), content_(content), memory_(memory) {}
+      : cells_(Allocator<uint32_t>(memory)),
+        order_(Allocator<uint32_t>(memory)),
+        groups_(Allocator<Group>(memory)),
+        content_(content),
+        memory_(memory) {}
 
-  /** Sorts the cells that there are and fits their boxes. Throws std::bad_alloc. O(cells). */
-  void build(const Environment<D>& env);
+  /** Sorts the cells that there are and fits their boxes. Throws std::bad_alloc. O(cells), shared out. */
+  void build(const Environment<D>& env, const Parallel& parallel);
   /** Sorts the cells with these indices and fits their boxes. Throws std::bad_alloc. O(cells). */
   void build(const Environment<D>& env, const Array<uint32_t>& cells);
-  /** Fits all boxes to the points as they are now. O(cells). */
-  void fit(const Environment<D>& env) noexcept;
+  /** Fits all boxes to the points as they are now. O(cells), shared out. */
+  void fit(const Environment<D>& env, const Parallel& parallel) noexcept;
 
   /** Calls look(index) for each cell of the tree whose box holds the point, and for some others. */
   template <class Look>
@@ -84,9 +91,9 @@ class CellTree {
     visit_nearest_first<kMostLevels>(
         level_count_, limit_of(reach),
         [&](uint32_t level, uint32_t group, float* distances) {
-          measure(groups_[level_first_[level] + group], at, weights, distances);
+          measure(groups_[level == 0 ? order_[group] : level_first_[level] + group], at, weights, distances);
         },
-        [&](uint32_t cell, float) { return limit_of(look(cells_[cell])); });
+        [&](uint32_t box, float) { return limit_of(look(cells_[kWidth * order_[box / kWidth] + box % kWidth])); });
     return true;
   }
   const Array<uint32_t>& cells() const noexcept { return cells_; }
@@ -97,7 +104,9 @@ class CellTree {
     return std::sqrt(square);
   }
   size_t cell_count() const noexcept { return cells_.size(); }
-  uint64_t memory_bytes() const noexcept { return sizeof *this + array_bytes(cells_) + array_bytes(groups_); }
+  uint64_t memory_bytes() const noexcept {
+    return sizeof *this + array_bytes(cells_) + array_bytes(order_) + array_bytes(groups_);
+  }
 
   std::atomic<uint64_t> version{0};       // of the points that the boxes are fitted to
   mutable std::atomic<uint64_t> wear{0};  // cells looked at because they are not in the tree
@@ -116,6 +125,30 @@ class CellTree {
     Lanes lower[D], upper[D];
   };
 
+  static Group nothing() noexcept {
+    Group group;
+    for (int k = 0; k < D; ++k) {
+      group.lower[k] = eight_of(INT16_MAX);
+      group.upper[k] = eight_of(INT16_MIN);
+    }
+    return group;
+  }
+  /** The box of a group. */
+  struct Hull {
+    int16_t lower[D], upper[D];
+
+    explicit Hull(const Group& group) noexcept {
+      for (int k = 0; k < D; ++k) {
+        lower[k] = group.lower[k][0];
+        upper[k] = group.upper[k][0];
+        for (uint32_t i = 1; i < kWidth; ++i) {
+          lower[k] = std::min<int16_t>(lower[k], group.lower[k][i]);
+          upper[k] = std::max<int16_t>(upper[k], group.upper[k][i]);
+        }
+      }
+    }
+  };
+
   /** Monotone in x. An axis that cannot be divided in doubles has one step. */
   int16_t step(int k, double x) const noexcept {
     const double at = (x - lower_[k]) * steps_per_unit_[k];
@@ -125,19 +158,21 @@ class CellTree {
   template <class Look>
   bool descend(const int16_t* from, const int16_t* to, Look&& look) const {
     struct Node {
-      uint32_t level, group;
+      uint32_t level, group;  // below level 1 as it lies in memory
     } nodes[kWidth * kMostLevels];
     uint32_t count = 0;
+    if (cells_.empty()) return true;
     nodes[count++] = {level_count_ - 1, 0};
     while (count != 0) {
       const Node node = nodes[--count];
       uint32_t held = boxes_that_overlap(groups_[level_first_[node.level] + node.group], from, to);
       for (; held != 0; held &= held - 1) {
-        const uint32_t child = node.group * kWidth + lowest_bit(held);
+        const uint32_t box = node.group * kWidth + lowest_bit(held);
         if (node.level != 0) {
+          const uint32_t child = node.level == 1 ? order_[box] : box;
           prefetch_line(&groups_[level_first_[node.level - 1] + child]);
           nodes[count++] = {node.level - 1, child};
-        } else if (!look(cells_[child])) {
+        } else if (!look(cells_[box])) {
           return false;
         }
       }
@@ -169,10 +204,19 @@ class CellTree {
       distances[i] = group.lower[0][i] > group.upper[0][i] ? HUGE_VALF : std::sqrt(squares[i]);
     }
   }
-  void set_frame(const Environment<D>& env) noexcept;
-  void arrange(const Environment<D>& env, Array<uint64_t>& keys);
+  struct Keys;
 
-  Array<uint32_t> cells_;  // indices
+  void set_frame(const Environment<D>& env) noexcept;
+  void set_levels();
+  void arrange(const Environment<D>& env, const Parallel& parallel);
+  void group_neighbours(const Environment<D>& env, const Parallel& parallel, Keys& keys);
+  void keep_neighbours(const Parallel& parallel, Keys& keys);
+  void group_others(const Environment<D>& env, const Parallel& parallel, Keys& keys);
+  void fit_group(const Environment<D>& env, size_t group) noexcept;
+  void fit_upper(const Parallel& parallel) noexcept;
+
+  Array<uint32_t> cells_;  // indices: those of group g of level 0 begin at 8 g
+  Array<uint32_t> order_;  // groups of level 0 along the curve
   Array<Group> groups_;    // of cells, of groups of cells, and so on; the last one is alone
   uint32_t level_first_[kMostLevels] = {};
   uint32_t level_count_ = 0;

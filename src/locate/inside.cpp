@@ -23,10 +23,19 @@ struct Best {
 
   void offer(double at, const Vec& to, const SeenObstacle& next) {
     if (at > distance) return;
-    if (at == distance && seen.cell.valid() && !distances.precedes(next.feature, seen.feature)) return;
+    if (at == distance && seen.cell.valid() && !precedes(next)) return;
     distance = at;
     way = to;
     seen = next;
+  }
+
+ private:
+  /** What is seen from two cells counts as seen from the one with the lower index, in whatever order they were looked at. */
+  bool precedes(const SeenObstacle& next) const {
+    if (distances.precedes(next.feature, seen.feature)) return true;
+    if (distances.precedes(seen.feature, next.feature)) return false;
+    const Map<D>& map = distances.environment().map;
+    return map.index(next.cell) < map.index(seen.cell);
   }
 };
 

@@ -78,6 +78,7 @@ template <int D>
 void cast_segments(const Environment<D>& env, const Parallel& parallel, size_t count, const dsw_volume_id* starts,
                    PointArray from, PointArray to, const SegmentOptions& options, dsw_flight* flights) {
   const Starts<D> where(env, starts, options.start_known);
+  if (starts == nullptr) env.index.prepare(env, parallel, count);
   if (options.open_ends) {
     return share_or_throw(
         [&](auto& chunk) { share_out(parallel, count, chunk); },
@@ -113,6 +114,7 @@ void cast_path(const Environment<D>& env, dsw_volume_id start, const double* fro
 template <int D>
 void locate_points(const Environment<D>& env, const Parallel& parallel, PointArray points, size_t count,
                    const dsw_volume_id* hints, dsw_volume_id* volumes) {
+  if (hints == nullptr) env.index.prepare(env, parallel, count);
   auto body = [&](size_t begin, size_t end) noexcept {
     for (size_t i = begin; i < end; ++i) {
       volumes[i] = volume_id(env.map, locate_point(env, points[i], hints == nullptr ? dsw_volume_id{0, 0} : hints[i]));

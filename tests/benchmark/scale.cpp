@@ -144,6 +144,7 @@ Figures run_size(std::size_t cells, const std::string& suffix, const Options& op
   const std::size_t rounds = options.quick ? 5 : 9;
   std::unique_ptr<World> world;
   const double on_two = time_ns([&] { world = std::make_unique<World>(mesh, 2); });
+  const double locate_on_two = first_locate_ns(*world, mesh);
   world.reset();
   const double on_one = time_ns([&] {
     report.set("scale.create_ns_per_tet" + suffix,
@@ -155,6 +156,7 @@ Figures run_size(std::size_t cells, const std::string& suffix, const Options& op
   report.set("scale.cast_ns" + suffix, figures.cast_ns);
   figures.locate_ms = 1e-6 * first_locate_ns(*world, mesh);
   report.set("scale.first_locate_ms" + suffix, figures.locate_ms);
+  report.set("scale.first_locate_ms.threads2" + suffix, 1e-6 * locate_on_two);
   run_wire(*world, mesh, suffix, rounds, report);
   return figures;
 }

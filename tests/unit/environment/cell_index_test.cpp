@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <random>
 
+#include "environment/curve.h"
 #include "environment/moving.h"
 #include "environment/test_mesh.h"
 
@@ -65,6 +68,100 @@ TEST(CellIndex, NamesEveryCellWhereItLies) {
   const auto env = mesh.build();
   env->index.build(*env);
   expect_every_cell_named(*env);
+}
+
+constexpr Parallel kThreeThreads{nullptr, nullptr, 3};
+
+/** The cells of a mesh of hexahedra in another order. */
+void shuffle_boxes(Mesh3& mesh, uint64_t seed) {
+  Random random(seed);
+  for (size_t i = mesh.types.size(); i > 1; --i) {
+    const auto j = static_cast<size_t>(random.below(static_cast<int>(i)));
+    for (size_t k = 0; k < 8; ++k) std::swap(mesh.connectivity[8 * (i - 1) + k], mesh.connectivity[8 * j + k]);
+  }
+}
+
+TEST(CellIndex, NamesFewCellsInWhateverOrderTheyAreOnHoweverManyThreads) {
+  constexpr int kSide = 29;
+  for (const bool shuffled : {false, true}) {
+    Mesh3 mesh;
+    add_boxes(mesh, kSide, kSide, kSide);
+    if (shuffled) shuffle_boxes(mesh, 4);
+    const auto env = mesh.build(), shared = mesh.build();
+    env->index.build(*env);
+    shared->index.build(*shared, kThreeThreads);
+    Random random(6);
+    for (int i = 0; i < at_least(2000); ++i) {
+      const double p[3] = {kSide * random.unit(), kSide * random.unit(), kSide * random.unit()};
+      const std::vector<uint32_t> named = named_at(*env, p);
+      EXPECT_EQ(named, named_at(*shared, p));
+      EXPECT_LE(named.size(), 8u) << "boxes are rounded to the next two of 65,536 steps";
+      const auto holds = [&](uint32_t cell) {
+        const double* const low = env->point(env->map.cell(cell), 0);
+        return p[0] >= low[0] && p[0] < low[0] + 1 && p[1] >= low[1] && p[1] < low[1] + 1 && p[2] >= low[2] &&
+               p[2] < low[2] + 1;
+      };
+      EXPECT_EQ(std::count_if(named.begin(), named.end(), holds), 1);
+    }
+  }
+}
+
+/** Orders in which some eight neighbours lie side by side, and others don't. */
+TEST(CellIndex, NamesEveryCellAlsoWhereNeighboursLieApart) {
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    Mesh3 mesh;
+    add_boxes(mesh, 9, 3, 5);
+    Mesh3 apart;
+    add_boxes(apart, 7, 4, 2, 1e3, -5, 40, 0.25);
+    shuffle_boxes(apart, seed);
+    for (int64_t& v : apart.connectivity) v += static_cast<int64_t>(mesh.points.size() / 3);
+    mesh.points.insert(mesh.points.end(), apart.points.begin(), apart.points.end());
+    for (size_t i = 0; i < apart.types.size(); ++i) {
+      mesh.cell(kHexahedron, {apart.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i),
+                              apart.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i + 8)});
+    }
+    const auto env = mesh.build();
+    env->index.build(*env, kThreeThreads);
+    expect_every_cell_named(*env);
+    let_points_move(*env);
+    for (double& x : mesh.points) x = 3 - 2 * x;
+    env->points = mesh.points.data();
+    env->note_move();
+    expect_every_cell_named(*env);
+  }
+}
+
+TEST(CellIndex, SortsAlongTheCurve) {
+  for (const size_t count : {size_t{0}, size_t{1}, size_t{1000}, (size_t{1} << 18) + 777}) {
+    std::mt19937_64 random(seed_of(7));
+    Array<uint64_t> keys(count, 0, Allocator<uint64_t>(nullptr));
+    const Curve<3> curve;
+    for (size_t i = 0; i < count; ++i) {
+      uint32_t place[3];
+      for (uint32_t& x : place) x = static_cast<uint32_t>(random() % 64);
+      keys[i] = curve.key(place, static_cast<uint32_t>(i));
+    }
+    Array<uint64_t> sorted = keys;
+    std::sort(sorted.begin(), sorted.end());  // items grow with the place in the list
+    sort_along_curve<3>(keys, kThreeThreads);
+    EXPECT_TRUE(std::equal(keys.begin(), keys.end(), sorted.begin(), sorted.end())) << count;
+  }
+  // The curve goes from each place to one beside it, and to each once.
+  std::vector<uint64_t> all;
+  const Curve<2> curve;
+  for (uint32_t x = 0; x < 64; ++x) {
+    for (uint32_t y = 0; y < 64; ++y) {
+      uint32_t place[2] = {64 * x, 64 * y};  // the corners of squares of 64 places
+      all.push_back(curve.key(place, 64 * x + y));
+    }
+  }
+  std::sort(all.begin(), all.end());
+  for (size_t i = 1; i < all.size(); ++i) {
+    const uint32_t a = Curve<2>::item(all[i - 1]), b = Curve<2>::item(all[i]);
+    const int dx = static_cast<int>(b / 64) - static_cast<int>(a / 64);
+    const int dy = static_cast<int>(b % 64) - static_cast<int>(a % 64);
+    EXPECT_EQ(std::abs(dx) + std::abs(dy), 1) << i;
+  }
 }
 
 TEST(CellIndex, InThePlane) {
@@ -155,6 +252,36 @@ TEST(CellIndex, IsMadeAtNeed) {
   }
 }
 
+TEST(CellIndex, IsMadeAtOnceForWhoAsksForManyPoints) {
+  const double p[3] = {0.5, 0.5, 0.5};
+  const auto has_tree = [&](const Environment<3>& env) { return env.index.visit(env, p, [](uint32_t) {}); };
+  Mesh3 mesh;
+  add_boxes(mesh, 4, 4, 4);
+  int tasks = 0;
+  const Parallel pool{&tasks,
+                      [](void* user, dsw_task_fn task, void* data, size_t count) {
+                        for (size_t i = 0; i < count; ++i, ++*static_cast<int*>(user)) task(data, i);
+                      },
+                      0};
+  const auto many = mesh.build(), few = mesh.build(), without = mesh.build();
+  many->index.prepare(*many, pool, 1000);
+  EXPECT_TRUE(has_tree(*many));
+  EXPECT_EQ(named_at(*many, p), std::vector<uint32_t>{0});
+  many->index.prepare(*many, pool, 1000);
+  few->index.prepare(*few, pool, 2);
+  EXPECT_FALSE(has_tree(*few));
+  without->index.set_use(TreeUse::kLeftOut);
+  without->index.prepare(*without, pool, 1000);
+  EXPECT_FALSE(has_tree(*without));
+  EXPECT_EQ(tasks, 0) << "so few cells are not shared out";
+  Mesh3 large;
+  add_boxes(large, 30, 30, 30);
+  const auto shared = large.build();
+  shared->index.prepare(*shared, pool, 1000);
+  EXPECT_GT(tasks, 1);
+  EXPECT_EQ(named_at(*shared, p), std::vector<uint32_t>{0});
+}
+
 TEST(CellIndex, WithoutMemoryThereIsNoTree) {
   struct Host {
     bool refuses = false;
@@ -170,6 +297,7 @@ TEST(CellIndex, WithoutMemoryThereIsNoTree) {
   const auto env = mesh.build(nullptr, &memory);
   const double p[3] = {0.5, 0.5, 0.5};
   host.refuses = true;
+  env->index.prepare(*env, kThreeThreads, 1000);
   for (int i = 0; i < 50; ++i) EXPECT_FALSE(env->index.visit(*env, p, [](uint32_t) {}));
   EXPECT_THROW(env->index.build(*env), std::bad_alloc);
   host.refuses = false;

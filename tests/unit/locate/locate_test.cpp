@@ -7,9 +7,11 @@
 
 #include <cmath>
 
+#include "environment/marking.h"
 #include "environment/moving.h"
 #include "environment/test_mesh.h"
 #include "locate/classify.h"
+#include "locate/inside.h"
 
 namespace {
 
@@ -154,6 +156,40 @@ TEST(Locate, OfMovedPointsTheFirstCellOfAll) {
     const auto in_plane = squares.build();
     expect_the_first_of_all(*in_plane, squares.points, 6);
   }
+}
+
+/** A marked facet can be seen from both of its cells. The one with the lower index is told, with or without a tree. */
+TEST(Touched, IsSeenFromTheLowerCellHoweverCellsAreFound) {
+  Mesh3 mesh;
+  add_boxes(mesh, 5, 4, 3);
+  Random random(8);
+  for (size_t i = mesh.types.size(); i > 1; --i) {
+    const auto j = static_cast<size_t>(random.below(static_cast<int>(i)));
+    for (size_t k = 0; k < 8; ++k) std::swap(mesh.connectivity[8 * (i - 1) + k], mesh.connectivity[8 * j + k]);
+  }
+  const auto env = mesh.build();
+  for (uint32_t i = 0; i < env->map.cell_count; ++i) {
+    const Cell c = env->map.cell(i);
+    for (uint32_t f = 0; f < env->map.facets_of(c); ++f) set_facet_mark(*env, env->map.half_facet(c, f), true);
+  }
+  int inner = 0;
+  for (int code = 0; code < 11 * 9 * 7; ++code) {  // halves
+    const double p[3] = {code % 11 * 0.5, code / 11 % 9 * 0.5, code / 99 * 0.5};
+    env->index.set_use(TreeUse::kLeftOut);
+    const SeenObstacle scanned = find_touched(*env, p);
+    env->index.set_use(TreeUse::kAtOnce);
+    env->index.build(*env);
+    const SeenObstacle found = find_touched(*env, p);
+    EXPECT_EQ(found.cell, scanned.cell) << code;
+    EXPECT_EQ(found.side, scanned.side) << code;
+    EXPECT_EQ(found.feature.cell, scanned.feature.cell) << code;
+    EXPECT_EQ(found.feature.local, scanned.feature.local) << code;
+    if (!found.side.valid() || !env->map.opposite(found.side).valid()) continue;
+    ++inner;
+    const Cell beyond = env->map.cell_of(env->map.opposite(found.side));
+    EXPECT_LT(env->map.index(found.cell), env->map.index(beyond)) << code;
+  }
+  EXPECT_GT(inner, 100);
 }
 
 TEST(Classify, LatticePointsByTheirCoordinates) {
