@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import dartsweep as ds
-from dartsweep._door import build, linear, raw
+from dartsweep._door import build, linear, meshio_reader, raw
 from volumes import CUBE, PRISM, TETRA, volume_of
 
 PYRAMID = np.array([*CUBE[:4], (0.5, 0.5, 1)])
@@ -162,6 +162,14 @@ def test_nodes_of_quadratic_cells_of_texts(kind: str, ending: str, tmp_path: pat
     for quadratic in ("corners", "split"):
         with ds.read(tmp_path / f"one.{ending}", quadratic=quadratic) as environment, made(kind, points, quadratic) as expected:
             assert volume_of(environment) == pytest.approx(volume_of(expected), rel=1e-12)
+
+
+def test_wedges_of_gmsh_that_meshio_leaves_in_its_order(tmp_path: pathlib.Path) -> None:
+    points, order = curved("wedge18"), [*range(7), 8, 12, 7, 13, 14, 9, 11, 10, 15, 17, 16]
+    meshio.write(tmp_path / "one.msh", meshio.Mesh(points, [("wedge18", [order])]), "gmsh22")
+    mesh = raw.mesh_of(meshio_reader.read(str(tmp_path / "one.msh"), "one", "gmsh"), "split")
+    with build.environment_of(mesh, None, {}) as environment, made("wedge18", points, "split") as expected:
+        assert volume_of(environment) == pytest.approx(volume_of(expected), rel=1e-12)
 
 
 def test_quadratic_cells_of_which_no_order_is_known_are_told(tmp_path: pathlib.Path) -> None:
