@@ -2,7 +2,7 @@
 # Everything that must pass, in one command, on a fresh Debian 12 as root: installs what is missing, builds and tests
 # every configuration, and ends with ctest's closing lines of all of them. Exits 0 only if all passed.
 # usage: tests/run.sh [STEP...]    none means all_steps below
-# Steps to be asked for: long, before a release: the longest tests, with all cases that they are written for, and ten times the runs
+# Steps to be asked for: long, before a release: all random tests, with all cases that they are written for, and twenty times the runs
 # of the fuzz targets; clang; for other targets arm64 (tests under qemu), windows (tests under wine) and wasm (tests in Node);
 # components, each part of the library left out alone;
 # portable, which compares the bits of all targets whose step has run; packages of these targets; browser, the page.
@@ -88,10 +88,14 @@ preset() {
   cmake --preset "$name" && cmake --build --preset "$name" --target "$@" && "${plain_addresses[@]}" ctest --preset "$name" --no-tests=error
 }
 
-# with_library PRESET RUNTIME: programs of release with a library that is compiled otherwise, and the runtime of its sanitizer.
+# with_library PRESET TREE RUNTIME: programs of release with the library of build/TREE, which is compiled otherwise, and the runtime of its
+# sanitizer.
 with_library() {
-  one_at_a_time make_programs && LD_LIBRARY_PATH=build/${1%_library}/src ldd build/release/tests/capi/capi_base_test | grep "build/${1%_library}/src" && DSW_PRELOADED=$2 "${plain_addresses[@]}" ctest --preset "$1" --no-tests=error
+  one_at_a_time make_programs && LD_LIBRARY_PATH=build/$2/src ldd build/release/tests/capi/capi_base_test | grep "build/$2/src" &&
+    DSW_PRELOADED=$3 "${plain_addresses[@]}" ctest --preset "$1" --no-tests=error
 }
+asan_runtime() { clang -print-file-name=libclang_rt.asan-x86_64.so; }
+tsan_runtime() { g++ -print-file-name=libtsan.so; }
 make_programs() { cmake --preset release && cmake --build --preset release; }
 
 # target NAME: the tests of another target, compiled here and run by its emulator.
@@ -142,9 +146,10 @@ step_release() {
     rm -rf build/dartsweep-static && ln -s release/tests/package/static build/dartsweep-static && touch build/static.made
 }
 step_long() { # DSW_EFFORT=10 asks for ten times the cases
-  one_at_a_time make_programs && "${plain_addresses[@]}" ctest --preset long &&
-    cmake --preset dev -DDSW_FUZZ_EFFORT=10 && cmake --build --preset dev --target fuzz_programs &&
-    "${plain_addresses[@]}" ctest --preset dev -L fuzz && cmake --preset dev -DDSW_FUZZ_EFFORT=1
+  one_at_a_time make_programs && "${plain_addresses[@]}" ctest --preset long && cmake --preset dev -DDSW_FUZZ_EFFORT=20 &&
+    cmake --build --preset dev && "${plain_addresses[@]}" ctest --preset dev_long && with_library dev_library_long dev "$(asan_runtime)" &&
+    cmake --preset dev -DDSW_FUZZ_EFFORT=1 && cmake --preset tsan && cmake --build --preset tsan &&
+    with_library tsan_long tsan "$(tsan_runtime)"
 }
 step_clang() { preset clang all; }
 step_components() { # each left out alone: what is left links, and has all functions
@@ -156,8 +161,8 @@ step_components() { # each left out alone: what is left links, and has all funct
       cmake "-DDSW_WITH_$component=ON" build/components || return
   done
 }
-step_dev() { preset dev all && with_library dev_library "$(clang -print-file-name=libclang_rt.asan-x86_64.so)"; }
-step_tsan() { cmake --preset tsan && cmake --build --preset tsan && with_library tsan "$(g++ -print-file-name=libtsan.so)"; }
+step_dev() { preset dev all && with_library dev_library dev "$(asan_runtime)"; }
+step_tsan() { cmake --preset tsan && cmake --build --preset tsan && with_library tsan tsan "$(tsan_runtime)"; }
 step_arm64() { target arm64; }
 step_windows() { start_wine && target windows; }
 step_wasm() {

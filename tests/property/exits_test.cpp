@@ -131,7 +131,7 @@ class Leavers {
 
 TEST_P(ExitsTest, WhatComesToAnExitLeavesAndNothingElse) {
   int moves = 0, left = 0, stopped = 0, wrong = 0;
-  for (uint64_t seed = 1; seed < 1 + seeds_of(3); ++seed) {
+  for (uint64_t seed = 1; seed < 1 + seeds_of(3, 1); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     if (place.world->outer_boundary_crosses()) continue;

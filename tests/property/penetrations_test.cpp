@@ -299,7 +299,7 @@ void mark_thin_walls(Place& place, Rng& rng) {
 
 TEST_P(PenetrationsTest, WhatIsFreedIsFreeAndOthersAreTold) {
   Counts counts;
-  for (uint64_t seed = 51; seed < 51 + seeds_of(4); ++seed) {
+  for (uint64_t seed = 51; seed < 51 + seeds_of(4, 2); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     Rng rng(seed);

@@ -53,7 +53,7 @@ Vec surface_point(const World& world, Motions& motions, Rng& rng) {
 
 TEST_P(RaysTest, SightIsExact) {
   int seen = 0, hidden = 0, begun = 0, wrong = 0;
-  for (uint64_t seed = 1; seed < 1 + seeds_of(3); ++seed) {
+  for (uint64_t seed = 1; seed < 1 + seeds_of(3, 1); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     Rng rng(seed);
@@ -179,7 +179,7 @@ Vec aim(const Crowd& crowd, Motions& motions, Rng& rng) {
 
 TEST_P(RaysTest, CastsMissNothing) {
   int met = 0, casts = 0, missed = 0, phantom = 0;
-  for (uint64_t seed = 11; seed < 11 + seeds_of(4); ++seed) {
+  for (uint64_t seed = 11; seed < 11 + seeds_of(4, 1); ++seed) {
     Rng rng(seed);
     Crowd crowd(GetParam(), seed, rng);
     ASSERT_PLACE(crowd.place);
@@ -279,7 +279,7 @@ mpq_class squared_distance(const Q3& p, const std::vector<Q3>& s) {
 
 TEST_P(RaysTest, NearestPlacesAreNearest) {
   int nearer = 0;
-  for (uint64_t seed = 21; seed < 21 + seeds_of(3); ++seed) {
+  for (uint64_t seed = 21; seed < 21 + seeds_of(3, 1); ++seed) {
     Rng rng(seed);
     Crowd crowd(GetParam(), seed, rng);
     ASSERT_PLACE(crowd.place);
@@ -325,7 +325,7 @@ TEST_P(RaysTest, NearestPlacesAreNearest) {
 TEST_P(RaysTest, SignedDistancesAreExactInSign) {
   int asked = 0, wrong = 0, outside = 0;
   double largest_error = 0;
-  for (uint64_t seed = 31; seed < 31 + seeds_of(3); ++seed) {
+  for (uint64_t seed = 31; seed < 31 + seeds_of(3, 1); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     Rng rng(seed);

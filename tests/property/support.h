@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <map>
@@ -24,6 +25,8 @@ namespace dsw::oracle {
 
 /// How many seeds a test goes through where less effort leaves none out.
 inline uint64_t seeds_of(int count) { return static_cast<uint64_t>(at_least(count)); }
+/// The same where less effort leaves out all but the first ones.
+inline uint64_t seeds_of(int count, int first) { return static_cast<uint64_t>(std::max(effort_of(count), first)); }
 
 struct ContextDelete {
   void operator()(dsw_context* c) const { dsw_context_destroy(c); }

@@ -250,7 +250,7 @@ class Cutting {
 
 TEST_P(ThreadCutsTest, WhatCrossesIsCutAndNothingElse) {
   int calls = 0, cuts = 0, wrong = 0, not_free = 0, parts = 0;
-  for (uint64_t seed = 21; seed < 21 + seeds_of(4); ++seed) {
+  for (uint64_t seed = 21; seed < 21 + seeds_of(4, 1); ++seed) {
     Place place = make_place(GetParam(), seed);
     ASSERT_PLACE(place);
     Rng rng(seed);
