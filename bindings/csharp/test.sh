@@ -10,7 +10,7 @@ package=$out/package
 program=$out/example
 plugins=$out/unity/Plugins/linux-x64
 
-cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library"
+cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DCMAKE_PREFIX_PATH="$library"
 cmake --build "$out"
 if readelf -d "$package"/runtimes/linux-x64/native/*.so | grep NEEDED | grep -Ev '\[(lib(c|m|gcc_s|stdc\+\+)|ld-linux)'; then exit 1; fi
 cp "$package"/runtimes/linux-x64/native/* "$package"

@@ -9,7 +9,7 @@ out=$PWD/build/java
 mvn() { command mvn -q -B "-Dmaven.repo.local=$PWD/build/maven" "$@"; }
 
 rm -rf "$out/maven/target/surefire-reports"
-cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library"
+cmake -S $source -B "$out" -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DCMAKE_PREFIX_PATH="$library"
 cmake --build "$out"
 mvn -f $source/pom.xml "-Dnative=$out/maven" install
 mvn -f $source/examples/pom.xml "-Doutput=$out/example" compile exec:exec

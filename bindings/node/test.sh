@@ -28,7 +28,7 @@ if ! cmp -s "$here/package-lock.json" "$tools/installed.json"; then
   cp "$here/package-lock.json" "$tools/installed.json"
 fi
 
-cmake -S "$here" -B "$out/build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$library" -DDSW_NODE_MODULES="$tools/node_modules"
+cmake -S "$here" -B "$out/build" -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DCMAKE_PREFIX_PATH="$library" -DDSW_NODE_MODULES="$tools/node_modules"
 cmake --build "$out/build"
 
 rm -rf "$user"

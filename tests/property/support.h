@@ -25,7 +25,7 @@ namespace dsw::oracle {
 
 /// How many seeds a test goes through where less effort leaves none out.
 inline uint64_t seeds_of(int count) { return static_cast<uint64_t>(at_least(count)); }
-/// The same where less effort leaves out all but the first ones.
+/// How many seeds a test goes through where less effort leaves out all but the first ones.
 inline uint64_t seeds_of(int count, int first) { return static_cast<uint64_t>(std::max(effort_of(count), first)); }
 
 struct ContextDelete {
