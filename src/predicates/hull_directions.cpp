@@ -102,6 +102,14 @@ class Search {
     }
     return best_;
   }
+  /** The direction that run found, with all its digits; no direction if there is none. */
+  const Long& best_way() const noexcept { return best_way_; }
+  /** What one direction shows. */
+  double bound_in(const Long& direction) noexcept {
+    best_ = HullDirection();
+    look(direction);
+    return best_.bound;
+  }
 
  private:
   static void read(const ConvexHull& hull, const double* origin, double scale, Long* out, uint32_t& count) noexcept {
@@ -165,13 +173,16 @@ class Search {
     const double lost = 0x1p-100 * dsw::dot(rough.magnitudes(), most_) + 0x1p-900;
     const double left = (beyond.high + beyond.low) - lost;
     const double bound = left * (1 - 0x1p-50) / (std::sqrt(dsw::dot(rough, rough)) * (1 + 0x1p-50));
-    if (bound > best_.bound) best_ = {bound, rough};
+    if (!(bound > best_.bound)) return;
+    best_ = {bound, rough};
+    best_way_ = d;
   }
 
   Vec most_;
   Long a_[ConvexHull::kMost], b_[ConvexHull::kMost];
   uint32_t count_a_ = 0, count_b_ = 0;
   HullDirection best_;
+  Long best_way_{};
   HullGap trial_, *gap_ = nullptr;  // weights that are tried, and the best ones
   double least_ = std::numeric_limits<double>::infinity();
 };
@@ -213,11 +224,21 @@ HullDirection look_everywhere(const HullPair<D>& pair) noexcept {
 }
 
 template <int D>
+GapAtEnds look_at_ends(const HullPair<D>& start, const HullPair<D>& end) noexcept {
+  Search<D> search(start);
+  GapAtEnds gap;
+  gap.start = search.run().bound;
+  if (gap.start > 0) gap.end = Search<D>(end).bound_in(search.best_way());
+  return gap;
+}
+
+template <int D>
 void find_points(const HullPair<D>& pair, HullGap& gap) noexcept {
   Search<D>(pair).find_points(gap);
 }
 
 DSW_INSTANTIATE(look_everywhere);
+DSW_INSTANTIATE(look_at_ends);
 DSW_INSTANTIATE(find_points);
 
 }  // namespace dsw

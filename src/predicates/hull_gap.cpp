@@ -121,6 +121,13 @@ Origin reduce(Simplex& s) noexcept {
   return s.count < 4 ? Origin::kOutside : reduce_tetrahedron(s);
 }
 
+/** A bound in units, as a length that is not more. A product may be a denormal number that is rounded up. A unit is at least 2^-1000,
+ * so the quotient of one is exact. */
+double in_units(double bound, double unit) noexcept {
+  const double length = bound * unit;
+  return length / unit > bound ? std::nextafter(length, 0.0) : length;
+}
+
 }  // namespace
 
 template <int D>
@@ -230,12 +237,18 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
     gap.weights[simplex.corners[i].a] += simplex.weights[i];
     gap.other_weights[simplex.corners[i].b] += simplex.weights[i];
   }
-  gap.bound = best.bound * pair.unit();
-  // Denormal numbers may be rounded up. A unit is at least 2^-1000, so the quotient of one is exact.
-  if (gap.bound / pair.unit() > best.bound) gap.bound = std::nextafter(gap.bound, 0.0);
+  gap.bound = in_units(best.bound, pair.unit());
   gap.distance = distance * pair.unit();
   gap.normal = unit(best.direction);
   return gap;
+}
+
+template <int D>
+GapAtEnds find_gap_at_ends(const ConvexHull (&start)[2], const ConvexHull (&end)[2]) noexcept {
+  const HullPair<D> first(start[0], start[1]), last(end[0], end[1]);
+  if (!first.is_finite() || !last.is_finite()) return {};
+  const GapAtEnds gap = look_at_ends(first, last);
+  return {in_units(gap.start, first.unit()), in_units(gap.end, last.unit())};
 }
 
 template <int D>
@@ -289,6 +302,7 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
 template class HullPair<2>;
 template class HullPair<3>;
 DSW_INSTANTIATE(find_gap);
+DSW_INSTANTIATE(find_gap_at_ends);
 DSW_INSTANTIATE(time_apart);
 
 }  // namespace dsw

@@ -50,6 +50,11 @@ class HullPair {
 template <int D>
 HullDirection look_everywhere(const HullPair<D>& pair) noexcept;
 
+/** The same, and what the best direction shows of the hulls at another time: there with as many digits.
+ * @param end of the same points. */
+template <int D>
+GapAtEnds look_at_ends(const HullPair<D>& start, const HullPair<D>& end) noexcept;
+
 /** The weights of the points that are nearest to each other, found with the same digits. */
 template <int D>
 void find_points(const HullPair<D>& pair, HullGap& gap) noexcept;

@@ -198,10 +198,10 @@ void TouchedPlanes<D>::add(const Vec& normal, const Vec& point) noexcept {
 }
 
 template <int D>
-void TouchedPlanes<D>::add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way,
-                                  double tilt) noexcept {
+void TouchedPlanes<D>::add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way, double tilt,
+                                  double missing) noexcept {
   make_room();
-  planes_[count_++] = {normal, at, point, way, tilt, !is_zero(way) || tilt > 0};
+  planes_[count_++] = {normal, at, point, way, tilt, missing, !is_zero(way) || tilt > 0};
 }
 
 template <int D>
@@ -246,7 +246,7 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
         for (int j = 0; j < k; ++j) sum -= L[k][j] * space.a[3 + j];
         space.a[3 + k] = sum / L[k][k];
       }
-      space.least = (off - gap) / inertia.size + bend * length(arm);
+      space.least = (off + plane.missing - gap) / inertia.size + bend * length(arm);
       if (plane.moves) {
         // A point that slides along what turns needs as much more room.
         const Vec shift = round == 0 ? plane.way : allowed->shift + inertia.size * allowed->turn.cross(arm);

@@ -42,8 +42,10 @@ class TouchedPlanes {
   /** Adds a plane that may go along.
    * @param at of the plane; `point`: of the body.
    * @param way of the plane while the body makes the motion that is asked for.
-   * @param tilt by how much its normal turns on that way. */
-  void add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way, double tilt) noexcept;
+   * @param tilt by how much its normal turns on that way.
+   * @param missing how far behind the plane the point is, which the motion makes up for. What is behind by more than that stays so. */
+  void add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way, double tilt,
+                  double missing = 0) noexcept;
   /** The body has moved, and its points with it. */
   void follow(const RigidMotion<D>& made) noexcept;
 
@@ -57,7 +59,7 @@ class TouchedPlanes {
   struct Plane {
     Vec normal, at, point;  // at: of the plane; point: of the body, where it is now
     Vec way = Vec::Zero();
-    double tilt = 0;
+    double tilt = 0, missing = 0;
     bool moves = false;
   };
   void make_room() noexcept;

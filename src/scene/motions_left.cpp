@@ -129,7 +129,7 @@ PlainMotion MotionsLeft<D>::left(size_t i) const noexcept {
 template <int D>
 void MotionsLeft<D>::add_plane(const Body<D>& body, const Pair& pair, double share, const double* next,
                                TouchedPlanes<D>& planes) const {
-  constexpr double kNear = 0x1p-20, kOff = 0x1p-32;
+  constexpr double kNear = 0x1p-20, kOff = 0x1p-32, kMostMissing = 0x1p-29;
   ConvexHull mine, other;
   const auto add_corners = [](const Body<D>& of, const Simplex& part, ConvexHull& hull) {
     for (const uint32_t v : SimplexCorners<D>(of, part)) hull.points[hull.count++] = of.position(v);
@@ -162,7 +162,10 @@ void MotionsLeft<D>::add_plane(const Body<D>& body, const Pair& pair, double sha
   if (is_zero(normal)) normal = is_zero(gap.normal) ? pair.normal : gap.normal;
   if (dot(normal, pair.normal) < 0 && !(gap.distance > kNear * size)) normal = -normal;
   const Vec at = nearest_point<D>(other, gap.other_weights) + radii * (1 + kOff) * normal;
-  planes.add_moving(normal, at, nearest_point<D>(mine, gap.weights), way, turn);
+  const Vec point = nearest_point<D>(mine, gap.weights);
+  // What has lost some of its distance gets it back. Across a short gap the normal may be another one, and tell too much.
+  const double missing = std::clamp(dot(normal, at - point), 0.0, kMostMissing * radii);
+  planes.add_moving(normal, at, point, way, turn, missing);
 }
 
 /** Whoever has touched nothing goes on. Whoever may go nowhere waits. */

@@ -23,8 +23,10 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kLeastPiece = 0x1p-46;  // of a time: what is shorter is left
-// What goes along with something loses no more of its distance by rounding than this share of it, in any number of steps.
-constexpr double kLeastByRounding = 5 * 0x1p-37;
+// What goes along with something loses no more of its distance by rounding than this share of it, in any number of steps: the
+// distance itself says what is left to lose.
+constexpr double kMostLost = 5 * 0x1p-37;
+constexpr double kMostBelow = 0x1p-30;  // what is nearer than this share less than wanted waits
 
 /** How far two hulls are apart along a direction, as linear functions of time, and what rounding can lose of each. */
 template <int D>
@@ -195,17 +197,39 @@ double last_turning(const HullWays<D>& ways, double begin, double least, double 
   return least;
 }
 
-/** Whether a direction shows on the whole way that a distance is kept while points are beside their straight ways. At a time t
- * they are by at most 4 t (1 - t) of the bend there, as the error of a linear interpolation. */
+/** Whether what is that much over at the start and at the end is never less than nothing while points are beside their straight ways.
+ * At a time t they are by at most 4 t (1 - t) of the bend there, as the error of a linear interpolation. */
+bool stays_over(double c0, double c2, double bend) noexcept {
+  const double c1 = (c0 + c2) / 2 - 2 * bend;  // control values of a quadratic function
+  return c0 >= 0 && c2 >= 0 && (c1 >= 0 || c0 * c2 > c1 * c1 * (1 + 0x1p-40));
+}
+
+/** Whether a direction shows on the whole way that a distance is kept while points are beside their straight ways. */
 template <int D>
 bool keeps_bent(const LinearGap<D>& along, double bend, double kept) noexcept {
   for (uint32_t n = 0; n < along.count; ++n) {
-    const double c0 = (along.start[n] - along.lost) - kept, c2 = (along.end[n] - along.lost) - kept,
-                 c1 = (c0 + c2) / 2 - 2 * bend;  // control values of a quadratic function
-    if (!(c0 >= 0 && c2 >= 0)) return false;
-    if (!(c1 >= 0) && !(c0 * c2 > c1 * c1 * (1 + 0x1p-40))) return false;
+    if (!stays_over((along.start[n] - along.lost) - kept, (along.end[n] - along.lost) - kept, bend)) return false;
   }
   return true;
+}
+
+/** See time_kept: for what begins so near that doubles do not tell whether it may still lose anything. A pair that is at the least
+ * distance, or nearer, comes no nearer by any rounding but that of double-doubles.
+ * @param least the distance below which nothing may come. */
+template <int D>
+double time_kept_sharply(const HullWays<D>& ways, double wanted, double least, double most) noexcept {
+  ConvexHull start[2], end[2];
+  for (uint32_t side = 0; side < 2; ++side) {
+    start[side].count = end[side].count = ways.count[side];
+    std::copy_n(ways.start[side], ways.count[side], start[side].points);
+    std::copy_n(ways.end[side], ways.count[side], end[side].points);
+  }
+  const GapAtEnds gap = find_gap_at_ends<D>(start, end);
+  if (!(gap.start >= less_share(wanted, kMostBelow))) return 0;
+  const double kept = std::min(gap.start, least);
+  if (stays_over(gap.start - kept, gap.end - kept, ways.bend())) return most;
+  if (ways.bend() > 0 || !(gap.start > gap.end)) return 0;
+  return std::min(most, (gap.start - kept) / (gap.start - gap.end) * (1 - 0x1p-50));
 }
 
 }  // namespace
@@ -268,18 +292,12 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
     const double bend = ways.bend(gap.normal);
     double accepted = kept + bend;
     if (piece == 0) {
-      const double at_start = along.at(0);
-      if (!(at_start >= less_share(wanted, 0x1p-30))) return 0;
-      // A direction can show less than there is, by 2^-36. What is that near comes no nearer by it, step after step.
-      const double least = less_share(wanted, kLeastByRounding);
-      const double there = at_start < least ? std::max(at_start, gap.distance - 4 * along.lost) : at_start;
+      const double at_start = along.at(0), least = less_share(wanted, kMostLost);
+      if (at_start < least) return time_kept_sharply(ways, wanted, least, most);
       const double slack = std::clamp((at_start - bend - least) / 2, 0.0, rounding_of(ways));
-      const bool ends_apart = along.at(most) >= std::min(kept, there) - slack;
-      if (bend > 0 && at_start < accepted) {
-        return ends_apart && keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
-      }
-      if (at_start - slack < accepted && ends_apart && along.at(most) >= at_start - slack) return most;
-      kept = std::min(kept, there);
+      if (bend > 0 && at_start < accepted) return keeps_bent(along, bend, std::min(kept, at_start - slack)) ? most : 0;
+      if (at_start - slack < accepted && along.at(most) >= at_start - slack) return most;
+      kept = std::min(kept, at_start);
       accepted = kept + bend;
     }
     if (!(along.at(time) >= accepted)) return time;

@@ -100,6 +100,30 @@ TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
   }
 }
 
+TEST_P(HullGapTest, BoundsTheDistancesAtBothEndsOfAWay) {
+  for (int i = 0; i < at_least(400); ++i) {
+    Points a, b;
+    draw(3, a, b);
+    Points a_end = a, b_end = b;
+    // Steps that hardly change anything are those that many digits are for.
+    const double step = std::pow(10, std::uniform_real_distribution<double>(-16, 0)(random_));
+    for (Points* const each : {&a_end, &b_end}) {
+      const oracle::Vec to = point();
+      for (oracle::Vec& p : *each) {
+        for (size_t k = 0; k < 3; ++k) p[k] += step * (to[k] - p[k]);
+      }
+    }
+    const ConvexHull start[2] = {hull_of(a), hull_of(b)}, end[2] = {hull_of(a_end), hull_of(b_end)};
+    const GapAtEnds gap = find_gap_at_ends<3>(start, end);
+    const mpq_class first = gap.start, last = gap.end;
+    ASSERT_LE(first * first, square_of_distance(a, b)) << i;
+    ASSERT_LE(last * last, square_of_distance(a_end, b_end)) << i;
+    ASSERT_GE(gap.start, exact(a, b) * (1 - 0x1p-48) - 0x1p-69 * size_of(a, b)) << i;
+    // What stands shows the same at both ends.
+    ASSERT_EQ(find_gap_at_ends<3>(start, start).end, gap.start) << i;
+  }
+}
+
 TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
   for (int i = 0; i < at_least(400); ++i) {
     Points a, b;
