@@ -104,6 +104,7 @@ list(APPEND dsw_sources
   walk/shear.cpp
   walk/shear_avx2.cpp
   walk/shear_avx512.cpp
+  walk/short_way.cpp
   walk/walk_avx2.cpp
   walk/walk_avx512.cpp
   walk/walk_portable.cpp
@@ -227,6 +228,7 @@ list(APPEND dsw_sources
   response/rigid_move.cpp
   response/rigid_touches.cpp
   response/rigid_way.cpp
+  response/short_edges.cpp
   response/touch_record.cpp
   response/touched_planes.cpp
   response/touched_walls.cpp

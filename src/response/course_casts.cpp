@@ -14,6 +14,7 @@ void CourseCasts<D>::run() {
   packet_.run(env_, sweeps_.counters);
   for (uint32_t i = 0; i < packet_.count(); ++i) {
     if (packet_.reached(i)) continue;
+    ++doubts_;
     if (vertices_[i] != kNone) {
       course_.vertices[vertices_[i]].doubtful = true;
     } else {

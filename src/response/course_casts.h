@@ -35,6 +35,17 @@ class CourseCasts {
     packet_.add_between(env_, from.cell, from.position, to.cell, to.position, sweeps_.max_volumes);
     if (packet_.full()) run_edges();
   }
+  /** Counts a place of an edge that is seen to be free: which edges are cast together does not depend on that. */
+  void add_seen() {
+    packet_.add_seen(1);
+    if (packet_.full()) run_edges();
+  }
+  /** Or so many, fewer than there is room for. */
+  void add_seen_at_once(uint32_t places) { packet_.add_seen(places); }
+  /** How many places may be added before edges are cast. */
+  uint32_t room() const { return packet_.room() - 1; }
+  /** How often a cast has put vertices in doubt. */
+  uint32_t doubts() const { return doubts_; }
   /** Casts the edges that have been added. */
   void run_edges();
   /** Whether all edges of a vertex are free where they are. */
@@ -51,6 +62,7 @@ class CourseCasts {
   const SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   Packet<D> packet_;
+  uint32_t doubts_ = 0;
   uint32_t vertices_[kPacket] = {};  // kNone: of both ends of the edge
   uint32_t edges_[kPacket] = {};
   Array<CorridorWriter<D>> writers_{env_.memory};  // of the packet, if corridors are kept

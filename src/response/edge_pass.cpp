@@ -1,5 +1,7 @@
 #include "response/edge_pass.h"
 
+#include <algorithm>
+
 #include "base/compiler.h"
 #include "base/search.h"
 
@@ -16,9 +18,11 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   while (sieve_.next()) {
     if (only_places) {
       if (leaves_back) {
-        for (const uint32_t e : sieve_) cast_outward_places(e);
+        pass_places<BackEdges::kLeft>();
+      } else if (skips_back) {
+        pass_places<BackEdges::kSkipped>();
       } else {
-        for (const uint32_t e : sieve_) cast_places(e, skips_back);
+        pass_places<BackEdges::kCast>();
       }
     } else if (!body.keeps_corridors()) {
       for (const uint32_t e : sieve_) sweep_ways(e);
@@ -29,61 +33,107 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   casts_.run_edges();
 }
 
-/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one. A first end
- * that goes towards the inside needs no cast where the other one has its own. What sweep_way does for both ends, at
- * EDGES where no corridors are kept, without branches on which end is the first. */
+/** Tests the edges of a chunk in their new places. Those that are seen to be free, and whose ends both move and are not in
+ * doubt, are only counted: at once, as long as nothing is cast, and no end is put in doubt otherwise. */
 template <int D>
-void EdgePass<D>::cast_places(uint32_t e, bool skips_back) {
-  const Body<D>& body = *course_.motion.body;
-  const PointArray targets = course_.motion.targets;
-  const uint32_t(&ends)[2] = body.edges[e].ends;
-  const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
-  const uint32_t v = ends[k], w = ends[1 - k];
-  typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
-  const VertexWay &first_way = course_.motion.ways[v], &second_way = course_.motion.ways[w];
-  const bool both = second.rank != kNone;
-  const bool is_clear = course_.is_edge_clear(e);
-  if (first.rank == kNone) return;
-  if (!first.doubtful) {
-    const bool skips = skips_back && both && first.inwards && !second.inwards && body.edges[e].faces[1] != kNone;
-    ++sweeps_.counts.swept;
-    sweeps_.counts.skipped += skips ? 1 : 0;
-    if (!skips && !is_clear)
-      casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
+template <BackEdges Back>
+void EdgePass<D>::pass_places() {
+  const typename ShortEdges<D>::Seen seen = sieve_.find_short();
+  const uint64_t plain = seen.first & seen.second & seen.sure;
+  const uint32_t doubts = casts_.doubts(), count = sieve_.count();
+  const auto cast = [&](uint32_t i) {
+    cast_places<Back>(sieve_.begin()[i], (seen.first >> i & 1) != 0, (seen.second >> i & 1) != 0);
+  };
+  for (uint32_t i = 0; i < count;) {
+    const bool may_count = plain != 0 && !seen.some_stop && doubts == casts_.doubts();
+    const uint32_t some = may_count ? std::min(count - i, casts_.room() / 2) : 0;
+    if (some == 0) {
+      cast(i++);
+      continue;
+    }
+    const uint64_t part = (~uint64_t{0} >> (64 - some)) << i;
+    count_plain<Back>(plain & part);
+    for (uint64_t rest = part & ~plain; rest != 0; rest &= rest - 1) cast(lowest_bit(rest));
+    i += some;
   }
-  if (!both) return;
-  second.doubtful = second.doubtful || !first_way.arrival.valid();
-  if (second.doubtful) return;
-  ++sweeps_.counts.swept;
-  if (!is_clear) casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
 }
 
-/** Casts an edge in its new places for its ends that do not go towards the inside, as cast_places does. If the end whose
- * turn comes last goes inwards, the edge has not been tested where it arrives [JCD10] 6.2. */
+/** Counts the tests of edges of the chunk that are seen to be free. */
 template <int D>
-void EdgePass<D>::cast_outward_places(uint32_t e) {
+template <BackEdges Back>
+void EdgePass<D>::count_plain(uint64_t which) {
+  const uint32_t tests = 2 * bit_count(which);
+  uint32_t left_tests = 0;
+  sweeps_.counts.swept += tests;
+  if (Back != BackEdges::kCast) {
+    Body<D>& body = *course_.motion.body;
+    for (; which != 0; which &= which - 1) {
+      const uint32_t e = sieve_.begin()[lowest_bit(which)];
+      const BodyEdge& edge = body.edges[e];
+      const Left left =
+          left_out<Back>(course_.vertices[edge.ends[0]], course_.vertices[edge.ends[1]], edge.faces[1] != kNone);
+      left_tests += left.tests;
+      if (Back == BackEdges::kLeft) body.untested[e] = left.last;
+    }
+  }
+  sweeps_.counts.skipped += left_tests;
+  casts_.add_seen_at_once(tests - left_tests);
+}
+
+/** Which tests of an edge are left out whose ends both move: with kSkipped that of the first end if it alone goes inwards, with
+ * kLeft that of each end that does. */
+template <int D>
+template <BackEdges Back>
+typename EdgePass<D>::Left EdgePass<D>::left_out(const Vertex& a, const Vertex& b, bool is_closed) {
+  if (Back == BackEdges::kCast) return {};
+  const bool turned = b.rank < a.rank;
+  const uint8_t closed = is_closed ? 1 : 0, first = (turned ? b : a).inwards ? closed : 0,
+                second = (turned ? a : b).inwards ? closed : 0;
+  if (Back == BackEdges::kSkipped) return {static_cast<uint8_t>(first & ~second), 0};
+  return {static_cast<uint8_t>(first + second), second};
+}
+
+/** Casts an edge in its new places, that of the end whose turn comes first and then that of the other one, but for tests
+ * that are left out. What sweep_way does for both ends, at EDGES where no corridors are kept, without branches on which end is
+ * the first. If the last test is left, the edge has not been tested where it arrives [JCD10] 6.2. */
+template <int D>
+template <BackEdges Back>
+void EdgePass<D>::cast_places(uint32_t e, bool first_seen, bool second_seen) {
   Body<D>& body = *course_.motion.body;
   const PointArray targets = course_.motion.targets;
   const uint32_t(&ends)[2] = body.edges[e].ends;
   const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
   const uint32_t v = ends[k], w = ends[1 - k];
-  typename Course<D>::Vertex &first = course_.vertices[v], &second = course_.vertices[w];
+  Vertex &first = course_.vertices[v], &second = course_.vertices[w];
   if (first.rank == kNone) return;
   const VertexWay &first_way = course_.motion.ways[v], &second_way = course_.motion.ways[w];
   const bool both = second.rank != kNone, is_clear = course_.is_edge_clear(e), closed = body.edges[e].faces[1] != kNone;
-  const bool skips_first = first.inwards && closed, skips_second = second.inwards && closed;
+  bool skips_first = first.inwards && closed, skips_second = second.inwards && closed;
+  if (Back == BackEdges::kCast) skips_first = false;
+  if (Back == BackEdges::kSkipped) skips_first = skips_first && both && !second.inwards;
+  if (Back != BackEdges::kLeft) skips_second = false;
   const auto count = [&](bool skips) {
     ++sweeps_.counts.swept;
     sweeps_.counts.skipped += skips ? 1 : 0;
     return !skips && !is_clear;
   };
   if (!first.doubtful && count(skips_first))
-    casts_.add_place(e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
-  body.untested[e] = (both ? skips_second : skips_first) ? 1 : 0;
+    add_place(first_seen, e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
+  if (Back == BackEdges::kLeft) body.untested[e] = (both ? skips_second : skips_first) ? 1 : 0;
   if (!both) return;
   second.doubtful = second.doubtful || !first_way.arrival.valid();
   if (!second.doubtful && count(skips_second))
-    casts_.add_place(e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
+    add_place(second_seen, e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
+}
+
+/** Adds a place of an edge to those that are cast, if the edge is not seen to be free there. */
+template <int D>
+void EdgePass<D>::add_place(bool is_seen, uint32_t e, uint32_t v, const End& from, const End& to) {
+  if (is_seen) {
+    casts_.add_seen();
+  } else {
+    casts_.add_place(e, v, from, to);
+  }
 }
 
 /** Finds the edges of a chunk whose ends stay in their cells: in one convex cell, or in two between which the edge is

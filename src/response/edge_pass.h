@@ -5,6 +5,10 @@
 
 namespace dsw {
 
+/** What is done about edges that go towards the inside of a body [JCD10] 6.2: nothing, they are cast where they arrive, or they
+ * are left. */
+enum class BackEdges { kCast, kSkipped, kLeft };
+
 template <int D>
 class EdgePass {
  public:
@@ -17,8 +21,22 @@ class EdgePass {
   void sweep(bool may_skip, bool may_guess);
 
  private:
-  void cast_places(uint32_t e, bool skips_back);
-  void cast_outward_places(uint32_t e);
+  using End = typename CourseCasts<D>::End;
+  using Vertex = typename Course<D>::Vertex;
+  /** How many tests of an edge are left out, and whether that of its last end is. */
+  struct Left {
+    uint8_t tests = 0, last = 0;
+  };
+
+  template <BackEdges Back>
+  void pass_places();
+  template <BackEdges Back>
+  void count_plain(uint64_t which);
+  template <BackEdges Back>
+  static Left left_out(const Vertex& a, const Vertex& b, bool is_closed);
+  template <BackEdges Back>
+  void cast_places(uint32_t e, bool first_seen, bool second_seen);
+  void add_place(bool is_seen, uint32_t e, uint32_t v, const End& from, const End& to);
   void ask_side_by_side();
   bool keeps_between(uint32_t e) const;
   void sweep_chunk();

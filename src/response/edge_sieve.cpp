@@ -18,26 +18,12 @@ void EdgeSieve<D>::start(bool may_skip) {
   if (skipping.by_clearance) measure_clearances();
   if (may_skip && skipping.back_edges) find_inwards();
   const bool only_places = !sweeps_edges(course_.motion.body->level) && !course_.motion.body->keeps_corridors();
+  fills_ = !skipping.by_clearance && !(may_skip && skipping.by_similar_motion);
   sifts_ = only_places && (skipping.by_environment || (may_skip && skipping.back_edges));
-  if (sifts_) note_vertices();
-}
-
-/** What sift asks of the ends of edges, in few bytes. */
-template <int D>
-void EdgeSieve<D>::note_vertices() {
-  const Array<VertexWay>& ways = course_.motion.ways;
-  stays_.resize(ways.size());
-  states_.resize(ways.size());
-  others_ = false;
-  for (size_t v = 0; v < ways.size(); ++v) {
-    const Vertex& turn = course_.vertices[v];
-    const Cell from = ways[v].from;
-    const bool stays = from == ways[v].arrival, convex = stays && from.valid() && env_.map.convex(from);
-    stays_[v] = convex ? from.unit : kNone;
-    states_[v] = static_cast<uint8_t>((turn.rank != kNone ? kMoves : 0) | (turn.doubtful ? 0 : kSure) |
-                                      (turn.inwards ? kInwards : 0));
-    others_ = others_ || (stays && !convex);
-  }
+  // What is counted of casts is counted where they are made.
+  sees_ = D == 3 && only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
+          (sweeps_.max_volumes == 0 || sweeps_.max_volumes >= ShortEdges<D>::kMostCells);
+  if (sees_ || sifts_) short_.start(sees_);
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */
@@ -73,10 +59,13 @@ void EdgeSieve<D>::find_inwards() {
     if (a == kNone || !(vertices[a].inwards || vertices[b].inwards || vertices[c].inwards)) continue;
     const double *const p = body.position(a), *const q = body.position(b), *const r = body.position(c);
     const Vec normal = difference<D>(q, p).cross(difference<D>(r, p));
-    // One that does not go inwards may stay, and then its target is not read.
-    if (vertices[a].inwards) vertices[a].inwards = dot(difference<D>(targets[a], p), normal) < 0;
-    if (vertices[b].inwards) vertices[b].inwards = dot(difference<D>(targets[b], q), normal) < 0;
-    if (vertices[c].inwards) vertices[c].inwards = dot(difference<D>(targets[c], r), normal) < 0;
+    // Without branches on what nobody can predict. Of one that stays nothing is changed, whatever its target is.
+    const auto goes_in = [&](uint32_t v, const double* from) {
+      return dot(difference<D>(targets[v], from), normal) < 0;
+    };
+    vertices[a].inwards &= goes_in(a, p);
+    vertices[b].inwards &= goes_in(b, q);
+    vertices[c].inwards &= goes_in(c, r);
   }
 }
 
@@ -89,7 +78,8 @@ bool EdgeSieve<D>::next() {
   } else {
     gather();
   }
-  if (skipping.by_environment && !course_.motion.body->keeps_corridors() && (!sifts_ || others_)) drop_inside();
+  if (skipping.by_environment && !course_.motion.body->keeps_corridors() && (!sifts_ || short_.has_others()))
+    drop_inside();
   if (skipping.by_clearance && sweeps_.max_volumes == 0) drop_clear();
   if (may_skip_ && skipping.by_similar_motion) drop_similar();
   if (may_skip_ && skipping.back_edges && !sifts_) drop_back();
@@ -100,36 +90,37 @@ bool EdgeSieve<D>::next() {
  * go towards the inside 6.2: these are cast where they arrive, or left. At EDGES, where no corridors are kept. */
 template <int D>
 void EdgeSieve<D>::sift() {
+  using Short = ShortEdges<D>;
   Body<D>& body = *course_.motion.body;
   const bool skips_back = may_skip_ && body.skipping.back_edges, knows_cells = body.skipping.by_environment;
   uint8_t* const untested = skips_back && body.skipping.leaves_back_edges ? body.untested.data() : nullptr;
-  const uint8_t* const states = states_.data();
-  const uint32_t* const stays = stays_.data();
-  const uint32_t goes_back = skips_back ? 1 : 0;
-  uint32_t kept = 0, back_count = 0, back_edges[kChunk], dropped = 0, skipped = 0;
-  const uint32_t end = next_ + std::min<uint32_t>(kChunk, static_cast<uint32_t>(body.edges.size()) - next_);
-  for (uint32_t e = next_; e < end; ++e) {
+  const bool casts_back = skips_back && untested == nullptr, by_chunk = casts_back || !fills_;
+  const uint32_t* const words = short_.words();
+  const uint32_t closed_counts = skips_back ? 1 : 0, size = static_cast<uint32_t>(body.edges.size());
+  const uint32_t end = by_chunk ? std::min(next_ + kChunk, size) : size;
+  uint32_t kept = 0, back_count = 0, back_edges[kChunk], dropped = 0, left = 0, skipped = 0, e = next_;
+  for (; e < end && kept < kChunk; ++e) {
     const BodyEdge& edge = body.edges[e];
     if (edge.ends[0] == kNone) continue;
-    const uint32_t a = states[edge.ends[0]], b = states[edge.ends[1]], both = a & b;
-    const uint32_t cell = stays[edge.ends[0]], moves = (a | b) & kMoves, sure = moves & (both / kSure);
-    const uint32_t inside = sure & (cell == stays[edge.ends[1]] ? 1u : 0u) & (cell != kNone ? 1u : 0u);
-    const uint32_t closed = edge.faces[1] != kNone ? goes_back : 0;
-    const uint32_t back = sure & (inside ^ 1) & (both / kInwards) & closed;
+    const uint32_t a = words[edge.ends[0]], b = words[edge.ends[1]], both = a & b;
+    const uint32_t moves = (a | b) & Short::kMoves, sure = moves & (both / Short::kSure);
+    const uint32_t inside = sure & (both / Short::kStays) & ((a ^ b) < 1u << Short::kBits ? 1u : 0u);
+    const uint32_t closed = edge.faces[1] != kNone ? closed_counts : 0;
+    const uint32_t back = sure & (inside ^ 1) & (both / Short::kInwards) & closed;
     chunk_[kept] = e;
     kept += moves & ((inside | back) ^ 1);
-    back_edges[back_count] = e;
-    back_count += back;
-    dropped += (inside | back) * ((a & kMoves) + (b & kMoves));
+    if (casts_back) back_edges[back_count] = e;
+    back_count += casts_back ? back : 0;
+    left += back;
+    dropped += (inside | back) * ((a & Short::kMoves) + (b & Short::kMoves));
     if (untested != nullptr) untested[e] = static_cast<uint8_t>((untested[e] & (inside ^ 1)) | back);
-    if (!knows_cells && (inside & closed) != 0 && ((a | b) & kInwards) != 0) skipped += skip_inside(e);
+    if (!knows_cells && (inside & closed & ((a | b) / Short::kInwards)) != 0) skipped += skip_inside(e);
   }
-  next_ = end;
+  next_ = e;
   count_ = kept;
   sweeps_.counts.swept += dropped;
-  sweeps_.counts.skipped += knows_cells ? dropped : 2 * back_count + skipped;
-  if (untested != nullptr) return;
-  for (uint32_t i = 0; i < back_count; ++i) cast_where_it_arrives(back_edges[i]);
+  sweeps_.counts.skipped += knows_cells ? dropped : 2 * left + skipped;
+  cast_where_they_arrive(back_edges, back_count);
 }
 
 /** How many tests 6.2 alone leaves out of an edge that stays in one cell, and whether this edge is listed: as if nothing was
@@ -147,20 +138,23 @@ uint32_t EdgeSieve<D>::skip_inside(uint32_t e) {
   return first_in + second_in;
 }
 
-/** What is known of the ends of the edges is on its way when they are looked at. */
+/** What is known of the ends of the edges is on its way when they are looked at, but for ShortEdges, which reads less. */
 template <int D>
 void EdgeSieve<D>::gather() {
   const Body<D>& body = *course_.motion.body;
-  for (count_ = 0; next_ < body.edges.size() && count_ < kChunk; ++next_) {
-    if (!body.has_edge(next_)) continue;
-    for (const uint32_t v : body.edges[next_].ends) {
+  const uint32_t size = static_cast<uint32_t>(body.edges.size());
+  for (count_ = 0; next_ < size && count_ < kChunk; ++next_) {
+    chunk_[count_] = next_;
+    const BodyEdge& edge = body.edges[next_];
+    count_ += edge.ends[0] != kNone ? 1 : 0;
+    if (sees_ || edge.ends[0] == kNone) continue;
+    for (const uint32_t v : edge.ends) {
       prefetch_line(&course_.vertices[v]);
       prefetch_line(&course_.motion.ways[v]);
       prefetch_line(&body.vertices[v]);
       prefetch_line(course_.motion.targets[v]);
     }
     if (body.keeps_corridors()) prefetch_line(&body.corridors[next_]);
-    chunk_[count_++] = next_;
   }
 }
 
@@ -196,18 +190,26 @@ void EdgeSieve<D>::drop_and_cast(Skips skips) {
     dropped += skip ? 1 : 0;
     return skip;
   });
-  for (uint32_t i = 0; i < dropped; ++i) cast_where_it_arrives(skipped[i]);
+  cast_where_they_arrive(skipped, dropped);
 }
 
+/** Casts edges, at most a chunk, where their ends arrive. */
 template <int D>
-void EdgeSieve<D>::cast_where_it_arrives(uint32_t e) {
-  const uint32_t a = course_.motion.body->edges[e].ends[0], b = course_.motion.body->edges[e].ends[1];
-  const typename CourseCasts<D>::End from{course_.motion.ways[a].arrival, course_.place(a, kNone)},
-      to{course_.motion.ways[b].arrival, course_.place(b, kNone)};
-  if (course_.motion.body->keeps_corridors()) {
-    casts_.add_edge(e, kNone, from, to);
-  } else {
-    casts_.add_place(e, kNone, from, to);
+void EdgeSieve<D>::cast_where_they_arrive(const uint32_t* edges, uint32_t count) {
+  const uint64_t seen = sees_ ? short_.find(edges, count).second : 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    if ((seen >> i & 1) != 0) {
+      casts_.add_seen();
+      continue;
+    }
+    const uint32_t a = course_.motion.body->edges[edges[i]].ends[0], b = course_.motion.body->edges[edges[i]].ends[1];
+    const typename CourseCasts<D>::End from{course_.motion.ways[a].arrival, course_.place(a, kNone)},
+        to{course_.motion.ways[b].arrival, course_.place(b, kNone)};
+    if (course_.motion.body->keeps_corridors()) {
+      casts_.add_edge(edges[i], kNone, from, to);
+    } else {
+      casts_.add_place(edges[i], kNone, from, to);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/compiler.h"
 #include "response/course_casts.h"
+#include "response/short_edges.h"
 
 namespace dsw {
 
@@ -11,7 +12,7 @@ template <int D>
 class EdgeSieve {
  public:
   EdgeSieve(const Environment<D>& env, SimplexSweep<D>& sweeps, Course<D>& course, CourseCasts<D>& casts)
-      : env_(env), sweeps_(sweeps), course_(course), casts_(casts) {}
+      : env_(env), sweeps_(sweeps), course_(course), casts_(casts), short_(env, course) {}
 
   /** @param may_skip whether edges may be left out on their way that are free where they end. Throws std::bad_alloc. */
   void start(bool may_skip);
@@ -27,19 +28,22 @@ class EdgeSieve {
   }
   const uint32_t* begin() const { return chunk_; }
   const uint32_t* end() const { return chunk_ + count_; }
+  uint32_t count() const { return count_; }
+  /** Which edges of the chunk are seen to be free where their ends go. At EDGES, where no corridors are kept. */
+  typename ShortEdges<D>::Seen find_short() {
+    return sees_ ? short_.find(chunk_, count_) : typename ShortEdges<D>::Seen{};
+  }
 
  private:
   static constexpr uint32_t kChunk = 64;
-  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4;  // of a vertex: in this order, see sift
   using Vertex = typename Course<D>::Vertex;
 
   void measure_clearances();
   void find_inwards();
-  void note_vertices();
   void gather();
   void sift();
   uint32_t skip_inside(uint32_t e);
-  void cast_where_it_arrives(uint32_t e);
+  void cast_where_they_arrive(const uint32_t* edges, uint32_t count);
   template <class Drops>
   void drop(Drops drops);
   template <class Skips>
@@ -54,14 +58,14 @@ class EdgeSieve {
   SimplexSweep<D>& sweeps_;
   Course<D>& course_;
   CourseCasts<D>& casts_;
+  ShortEdges<D> short_;
   bool may_skip_ = false;
-  bool sifts_ = false;   // edges are sifted while they are gathered
-  bool others_ = false;  // a vertex stays in a cell that is not convex
+  bool sifts_ = false;  // edges are sifted while they are gathered
+  bool fills_ = false;  // and a chunk is filled, since edges that are dropped are not cast in between
+  bool sees_ = false;   // edges may be free that are seen to be
   uint32_t next_ = 0, count_ = 0;
   uint32_t chunk_[kChunk] = {};
-  Array<double> rooms_{env_.memory};    // by vertex, if balls are kept: see room_squared
-  Array<uint32_t> stays_{env_.memory};  // by vertex: the convex cell in which it stays; kNone: it does not
-  Array<uint8_t> states_{env_.memory};  // by vertex: whether it moves, is beyond doubt, goes inwards
+  Array<double> rooms_{env_.memory};  // by vertex, if balls are kept: see room_squared
 };
 
 }  // namespace dsw

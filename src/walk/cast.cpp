@@ -6,26 +6,10 @@
 #include "base/dimensions.h"
 #include "predicates/plane_hit.h"
 #include "walk/walk.h"
+#include "walk/walks.h"
 
 namespace dsw {
 namespace {
-
-// The walks that this library has; a kernel that it does not have is never chosen.
-constexpr const Walk<3>* kSpaceWalks[] = {
-    &kPortableWalk,
-#if DSW_X86_64
-    &kAvx2Walk,
-    &kAvx512Walk,
-#endif
-};
-
-template <int D>
-const Walk<D>& walk_for(const Environment<D>& env, Cell cell) noexcept {
-  if constexpr (D == 2)
-    return kPlaneWalk;
-  else
-    return *kSpaceWalks[static_cast<uint32_t>(env.kernels->of(env.map.kind_bits(cell)))];
-}
 
 template <int D>
 [[maybe_unused]] bool are_finite(const CastRequest* requests, uint32_t count) noexcept {

@@ -33,6 +33,10 @@ class Packet {
     count_ += 1 - stays;
     stayed_ += stays;
   }
+  /** Counts casts that are seen to come to their targets. */
+  void add_seen(uint32_t casts) noexcept { stayed_ += casts; }
+  /** How many casts may still be added or counted. */
+  uint32_t room() const noexcept { return kPacket - count_ - stayed_; }
   void run(const Environment<D>& env, CastCounters* counters) noexcept {
     if (count_ != 0) cast_side_by_side(env, requests_, count_, results_, counters);
     if (counters != nullptr) counters->add({stayed_, stayed_});

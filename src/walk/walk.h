@@ -44,6 +44,8 @@ struct CountAll {
 template <int D>
 struct Walk {
   void (*plain)(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results) noexcept;
+  void (*find_outside)(const Environment<D>& env, const Cell* cells, const double* const* points, uint32_t count,
+                       uint8_t* facets) noexcept;
   bool (*contains)(const Environment<D>& env, Cell cell, const double* centre, const double* point) noexcept;
   bool (*sees_all)(const Environment<D>& env, Cell cell, const double* point) noexcept;
   bool (*admits_with_centre)(const Environment<D>& env, Cell cell, double* centre) noexcept;

@@ -18,6 +18,30 @@ double height(std::size_t step) {
 
 }  // namespace
 
+const std::vector<Variant>& fall_variants() {
+  static const std::vector<Variant> all = {
+      {"points", DSW_LEVEL_POINTS, 0},
+      {"edges", DSW_LEVEL_EDGES, 0},
+      {"edges_environment", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT},
+      {"edges_back_edge", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES},
+      {"edges_hybrid", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES},
+      {"edges_similar_motion", DSW_LEVEL_EDGES, DSW_BODY_SKIP_SIMILAR_MOTION},
+      {"edges_paper_62", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES},
+      {"edges_paper_63", DSW_LEVEL_EDGES,
+       DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES},
+      {"edges_clearance", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE},
+      {"edges_sequences", DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES},
+      {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
+      {"swept_environment", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_ENVIRONMENT},
+      {"swept_clearance", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_CLEARANCE},
+      {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES},
+      {"faces", DSW_LEVEL_FACES, 0},
+      {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES},
+      {"faces_clearance", DSW_LEVEL_FACES, DSW_BODY_SKIP_BY_CLEARANCE},
+  };
+  return all;
+}
+
 std::string hand_path(const std::string& data) {
   const std::string path = data + "/surfaces/hand_12k.obj";
   if (std::filesystem::exists(path)) return path;

@@ -21,6 +21,9 @@ struct Fall {
   scenes::Pyramids pyramids;
 };
 
+/** How the surface can be moved: its vertices alone, [JCD10] 6.1 to 6.3, then what is ours, and other levels. */
+const std::vector<Variant>& fall_variants();
+
 /** The file of the hand, or empty if there is none. */
 std::string hand_path(const std::string& data);
 

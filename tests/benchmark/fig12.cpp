@@ -96,31 +96,6 @@ std::set<std::uint32_t> touched(const Flock& flock) {
   return vertices;
 }
 
-/** The paper's five, ours beside them, 6.2 and 6.3 to the letter, then what other levels cost. */
-const std::vector<Variant>& variants() {
-  static const std::vector<Variant> all = {
-      {"points", DSW_LEVEL_POINTS, 0},
-      {"edges", DSW_LEVEL_EDGES, 0},
-      {"edges_environment", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT},
-      {"edges_back_edge", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES},
-      {"edges_hybrid", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES},
-      {"edges_similar_motion", DSW_LEVEL_EDGES, DSW_BODY_SKIP_SIMILAR_MOTION},
-      {"edges_paper_62", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES},
-      {"edges_paper_63", DSW_LEVEL_EDGES,
-       DSW_BODY_SKIP_BY_ENVIRONMENT | DSW_BODY_SKIP_BACK_EDGES | DSW_BODY_LEAVE_BACK_EDGES},
-      {"edges_clearance", DSW_LEVEL_EDGES, DSW_BODY_SKIP_BY_CLEARANCE},
-      {"edges_sequences", DSW_LEVEL_EDGES, DSW_BODY_SEQUENCES},
-      {"swept", DSW_LEVEL_EDGES_SWEPT, 0},
-      {"swept_environment", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_ENVIRONMENT},
-      {"swept_clearance", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SKIP_BY_CLEARANCE},
-      {"swept_sequences", DSW_LEVEL_EDGES_SWEPT, DSW_BODY_SEQUENCES},
-      {"faces", DSW_LEVEL_FACES, 0},
-      {"faces_sequences", DSW_LEVEL_FACES, DSW_BODY_SEQUENCES},
-      {"faces_clearance", DSW_LEVEL_FACES, DSW_BODY_SKIP_BY_CLEARANCE},
-  };
-  return all;
-}
-
 /** @param count of variants. */
 void run_fall(const std::string& path, double cube, std::size_t count, const std::string& prefix,
               const Options& options, Report& report) {
@@ -133,7 +108,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
 
   std::map<std::string, std::unique_ptr<Flock>> flocks;
   for (std::size_t i = 0; i < count; ++i) {
-    const Variant& variant = variants()[i];
+    const Variant& variant = fall_variants()[i];
     flocks[variant.name] = std::make_unique<Flock>(world.environment(), variant, fall.shape, fall.surface.points);
   }
   std::unique_ptr<Engine> embree;
@@ -230,7 +205,7 @@ void run_fall(const std::string& path, double cube, std::size_t count, const std
 
 void run_fig12(const Options& options, Report& report) {
   const std::string path = hand_path(options.data);
-  run_fall(path, kFineCube, variants().size(), "edges.fig12.", options, report);
+  run_fall(path, kFineCube, fall_variants().size(), "edges.fig12.", options, report);
   run_fall(path, kCoarseCube, 8, "edges.fig12.coarse.", options, report);
 }
 

@@ -85,7 +85,7 @@ mkdir -p "$tree"
 cmake -S "$root" -B "$tree" -DCMAKE_BUILD_TYPE=Release -DDSW_BUILD_BENCH=ON -DDSW_BUILD_TESTS=ON \
   -DDSW_BUILD_EXAMPLES=ON -DDSW_WITH_LIBCCD=ON > "$tree-configure.log" || { cat "$tree-configure.log" >&2; exit 1; }
 cmake --build "$tree" -j "$(nproc)" \
-  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_drill dartsweep_bench_predicates dartsweep_pairs dartsweep_rigid dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests rays_tests cross_check_tests dartsweep_cross_check_kinds_test paper_catheter_length
+  --target dartsweep_bench dartsweep_bench_contact dartsweep_bench_walk_counted dartsweep_bench_edges_counted dartsweep_bench_drill dartsweep_bench_predicates dartsweep_pairs dartsweep_rigid dartsweep_oracle dartsweep_core edits_tests together_tests together_deform_tests near_tests rays_tests cross_check_tests dartsweep_cross_check_kinds_test paper_catheter_length
 
 bench=$tree/tests/benchmark
 if [ -n "$quick" ]; then casts=120000 sweeps=20000 bodies=5000 deformations=1000 pushes=2000 edits=2 cases=110000 pairs=20000 together=1 near=1 rays=1 rigid=()
@@ -96,6 +96,7 @@ mkdir -p "$tree/moves"
 "$bench/dartsweep_bench_contact" $quick --json "$tree/contact.json" "${mesh[@]}" "${vessel[@]}" "${line[@]}" --moves "$tree/moves"
 "$here/contact_instructions.sh" "$bench/dartsweep_bench_contact" "${mesh[@]}" --moves "$tree/moves" --json "$tree/contact_instructions.json"
 "$here/walk_instructions.sh" "$bench/dartsweep_bench_walk_counted" --json "$tree/walk_instructions.json"
+"$here/edges_instructions.sh" "$bench/dartsweep_bench_edges_counted" --json "$tree/edges_instructions.json"
 "$tree/examples/paper/catheter_length" "${mesh[@]}" --csv "$tree/fig9.csv" --json "$tree/fig9.json"
 # The exact parts report what they find and fail on a single difference; their figures are wanted either way.
 failed=()
@@ -128,7 +129,7 @@ property near "$near"
 property rays "$rays"
 property cross_check 1
 "$tree/tests/unit/cross_check/dartsweep_cross_check_kinds_test" --gtest_output="json:$tree/kinds.json" > "$tree/kinds.log" || failed+=(dartsweep_cross_check_kinds_test)
-python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/cross_check.json" "$tree/together.json" "$tree/together_deform.json" "$tree/near.json" "$tree/rays.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/rigid.json" "$tree/drill.json" "$tree/oracle.json" "$tree/kinds.json"
+python3 "$here/merge.py" "$json" "$tree/tests/benchmark/libdartsweep_core.so" "$tree/edits.json" "$tree/cross_check.json" "$tree/together.json" "$tree/together_deform.json" "$tree/near.json" "$tree/rays.json" "$tree/walk.json" "$tree/contact.json" "$tree/contact_instructions.json" "$tree/walk_instructions.json" "$tree/edges_instructions.json" "$tree/fig9.json" "$tree/predicates.json" "$tree/exact_pairs.json" "$tree/pairs_instructions.json" "$tree/rigid.json" "$tree/drill.json" "$tree/oracle.json" "$tree/kinds.json"
 echo "wrote $json"
 [ ${#failed[@]} = 0 ] || { echo "benchmark: FAILED, because it found faults: ${failed[*]}" >&2; exit 1; }
 echo "benchmark: no part found a fault"

@@ -1,0 +1,80 @@
+#pragma once
+// Edges that are seen to be free where their ends go, without a cast.
+
+#include "response/course.h"
+#include "walk/short_way.h"
+
+namespace dsw {
+
+/** Sees edges that stay in one convex cell [JCD10] 6.1, or lie in a few convex cells one after the other.
+ *
+ * The end v that goes first is at its target both times that an edge is tested: before and after the turn of the other end, w.
+ * Let w stay in the convex cell B, and let the target lie outside of one facet of B alone. Then the way to the target leaves B
+ * by that facet, from wherever in B it comes, and the next cell is asked in the same way until it is the one that holds the
+ * target. So one look at B tells of both tests, and of all edges between v and what stays in B. If the target lies outside of
+ * two facets of B, on which side of their ridge the edge passes tells which it is. */
+template <int D>
+class ShortEdges {
+ public:
+  static constexpr uint32_t kMost = 64;
+  static constexpr uint32_t kMostCells = 4;  // that an edge lies in
+
+  /** A bit for each edge: whether it is seen to be free at the turn of its first end, and at that of its second one; whether
+   * both of its ends move and are not in doubt. */
+  struct Seen {
+    uint64_t first = 0, second = 0, sure = 0;
+    bool some_stop = false;  // a first end does not arrive
+  };
+
+  ShortEdges(const Environment<D>& env, const Course<D>& course) : env_(env), course_(course) {}
+
+  /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
+   * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
+  void start(bool looks);
+  /** What is known of the vertices, a word for each: the unit of the convex cell in which it stays, above four bits. */
+  const uint32_t* words() const { return words_.data(); }
+  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4, kStays = 8;  // kSure: it is not in doubt
+  static constexpr uint32_t kBits = 4;
+  /** Whether a vertex stays in a cell that is not convex. */
+  bool has_others() const { return has_others_; }
+  /** What is seen of at most kMost edges. Of an end that does not move nothing is told. */
+  Seen find(const uint32_t* edges, uint32_t count);
+
+ private:
+  static constexpr uint32_t kMostLooks = kMostCells - 1;
+  static constexpr uint32_t kMostPairs = 2 * kMost;
+  static constexpr uint32_t kAsked = 1u << 30;    // in an answer: with the number of the question that is still open
+  static constexpr uint32_t kSeveral = 1u << 29;  // in an answer: with the two facets that have the target outside
+  static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
+
+  /** An edge, the end that goes first, the cell of the other one, and the turns at which it is there. */
+  struct Pair {
+    uint32_t vertex, cell;
+    uint8_t place, turns;
+  };
+  /** Whether a vertex is reached from a cell. */
+  struct Question {
+    uint32_t vertex;
+    Cell cell;
+  };
+
+  uint32_t gather(const uint32_t* edges, uint32_t count, Seen& seen);
+  void add_turns(const uint32_t* edges, uint32_t place, uint32_t& pairs, Seen& seen);
+  void ask(uint32_t pairs);
+  void answer(uint32_t count);
+  bool leads(const Pair& pair, uint32_t facets, const uint32_t* edges, uint32_t turn) const;
+
+  const Environment<D>& env_;
+  const Course<D>& course_;
+  bool looks_ = false, has_others_ = false;
+  Array<uint32_t> words_{env_.memory};   // by vertex
+  Array<uint32_t> looked_{env_.memory};  // by vertex: the cell that was last looked at for its target; kNone: none
+  Array<uint32_t> told_{
+      env_.memory};  // by vertex, of that cell: the cell of the target, or kSeveral and facets, or kNone
+  Pair pairs_[kMostPairs];
+  uint32_t told_of_pairs_[kMostPairs];
+  Question questions_[kMostPairs];
+  uint32_t answers_[kMostPairs];
+};
+
+}  // namespace dsw

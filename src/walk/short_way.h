@@ -1,0 +1,35 @@
+#pragma once
+// Ways from one convex cell into another one near by, seen by planes and without a cast.
+
+#include "base/compiler.h"
+#include "walk/cast.h"
+
+namespace dsw {
+
+/** For each of `count` <= kPacket convex cells, the facets that have its point outside, a bit each; 0: there are none, the
+ * filter does not see all of them, or a cell has no kernel of planes. In the plane always 0. */
+template <int D>
+void find_outside(const Environment<D>& env, const Cell* cells, const double* const* points, uint32_t count,
+                  uint8_t* facets) noexcept;
+
+/** The cell behind a facet of a convex tetrahedron, pyramid or hexahedron, if that cell is convex, too, and a cast may pass
+ * from one to the other both ways; else an invalid one. */
+template <int D>
+DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet) noexcept {
+  const Map<D>& map = env.map;
+  const uint32_t word = map.record(cell)[0], facets = Map<D>::standard_facet_count(form_of(word));
+  const uint32_t link = map.words[(cell.unit + 1) * kUnitWords<D> - facets + facet];
+  if (link >= kNoFacet || (word & kMarkBit) != 0) return {};  // a link that is marked is larger
+  const Cell next = map.cell_of(HalfFacet{link});
+  if (map.marked(next) || !map.convex(next)) return {};
+  const auto is_valid = [&](Cell c) { return CheckedCells::is_valid(env.checked.known(map.index(c))); };
+  return !env.has_moved() || (is_valid(cell) && is_valid(next)) ? next : Cell{};
+}
+
+/** Whether the way from a point of such a cell to one that only two facets of it have outside leaves the cell by a facet with
+ * the open neighbour `next`. `facets`: the two, a bit each. */
+template <int D>
+bool leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* from, const double* to,
+                Cell next) noexcept;
+
+}  // namespace dsw
