@@ -4,7 +4,7 @@
 # way the triangles face.
 # What happens: with this flag a wall has one side. A tube whose triangles face outwards, as those of every closed surface do, lets the ball
 # out at 1 m/s, with CCD as without; one whose triangles face inwards lets a ball in from outside. The flag ORIENTED, which did
-# nothing here up to 0.19.3, lets a fast ball out of the first tube since 0.20. FIX_INTERNAL_EDGES_TWO_SIDED, which came then, holds on both sides.
+# nothing here up to 0.19.3, lets a fast ball out of the first tube since 0.20. FIX_INTERNAL_EDGES_TWO_SIDED, which came with 0.21, holds on both sides.
 # Who meets it: whoever simulates in a vessel, a pipe or a room of one surface and takes the flag for smooth sliding.
 # Needs node and npm.
 set -eu
