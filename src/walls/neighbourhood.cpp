@@ -289,14 +289,15 @@ bool Neighbourhood<D>::open(Cell c) {
   const uint32_t index = env_.map.index(c);
   if (env_.checked.is_open(index)) return false;
   open_.push_back(c);
-  for (uint32_t i = 0, count = env_.map.vertices_of(c); i < count; ++i) {
-    const uint32_t v = env_.map.vertex(c, i);
-    points_.touch(v, fraction_);
-    near_.resize(points_.touched().size());
+  env_.map.for_each_vertex(c, [&](uint32_t v) {
+    if (!points_.is_touched(v)) {
+      points_.touch(v, fraction_);
+      near_.resize(points_.touched().size());
+    }
     Near& near = near_[points_.place(v)];
     cells_.push_back({c, near.first_cell, false});
     near.first_cell = static_cast<uint32_t>(cells_.size() - 1);
-  }
+  });
   env_.checked.open(index);
   return true;
 }

@@ -7,8 +7,10 @@
 #include "base/vec.h"
 #include "contact/normals.h"
 #include "environment/marking.h"
+#include "map/cell_queue.h"
 #include "predicates/swept_triangle.h"
 #include "proximity/thick_sweep.h"
+#include "walk/standard_facets.h"
 
 namespace dsw {
 namespace {
@@ -97,17 +99,21 @@ void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
   for (const Cell c : star) {
     if (!front_.valid() || map.marked(front_)) front_ = c;
     if (map.marked(c)) continue;
-    const Shape shape = map.shape(c);
-    uint32_t own = 0;
-    while (map.vertex(c, own) != vertex) ++own;
-    for (uint32_t facet = 0; facet < shape.facet_count(); ++facet) {
-      bool is_at_vertex = false;
-      for_each_facet_vertex<D>(shape, facet, [&](uint32_t local) { is_at_vertex = is_at_vertex || local == own; });
-      if (!is_at_vertex) continue;
+    const auto look = [&](uint32_t facet) {
       const HalfFacet h = map.half_facet(c, facet), o = map.opposite(h);
-      // One that is passable on both sides is met from both.
-      const bool twice = o.valid() && !map.marked(map.cell_of(o)) && canonical(map, h) != h;
-      if (!twice && is_impassable(map, h)) add_facet(h, shape, c, facet);
+      if (o.valid() && !map.facet_marked(h)) {
+        if (!map.marked(map.cell_of(o))) return;
+      } else if (o.valid() && !map.marked(map.cell_of(o)) && canonical(map, h) != h) {
+        return;  // what is passable on both sides is met from both
+      }
+      add_facet(h, map.shape(c), c, facet);
+    };
+    if (D == 3 && map.form(c) == Form::kSimplex) {
+      for (uint32_t facet = 0; facet < 4; ++facet) {
+        if (map.vertex(c, kTetrahedronTips[facet]) != vertex) look(facet);
+      }
+    } else {
+      for_each_facet_at_vertex(map, c, vertex, look);
     }
   }
   add_lone_ridges(star);
