@@ -47,6 +47,8 @@ def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file; format: the ending by which Gmsh knows it."""
     import gmsh
 
+    if format == "med" and _has_polyhedra(path):
+        raise MeshError(source, "it has polyhedra or polygons, which Gmsh leaves out", "pip install dartsweep[moab]")
     gmsh.initialize(readConfigFiles=False, interruptible=False)
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -72,6 +74,14 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
         raise
     except Exception as error:
         raise MeshError(source, f"Gmsh can't read it ({_reason(gmsh, error)})", _WAY_ON) from error
+
+
+def _has_polyhedra(path: str) -> bool:
+    """Whether a MED file has a folder of such cells. HDF5 has names of folders as they are, up to a zero."""
+    if os.path.getsize(path) == 0:
+        return False
+    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+        return re.search(rb"[\0\3](?:POE|POG|PG2)", text) is not None
 
 
 def _is_of_blocks(path: str, format: str) -> bool:
