@@ -18,8 +18,9 @@ from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
 
 
 def node(parent, name, label, data=None, kind="MT"):
-    made = parent.create_group(name)
-    made.attrs["name"], made.attrs["label"], made.attrs["type"] = np.bytes_(name.ljust(33, "\0")), np.bytes_(label), np.bytes_(kind)
+    made = parent.create_group(name, track_order=True)
+    for key, value, width in (("name", name, 33), ("label", label, 33), ("type", kind, 3)):
+        made.attrs.create(key, np.bytes_(value), dtype=f"S{width}")
     made.attrs["flags"] = np.array([1], np.int32)
     if data is not None:
         made.create_dataset(" data", data=data)
@@ -31,10 +32,11 @@ def word(text):
 
 
 KINDS = ["BCWall", "BCInflow", "BCOutflow", "UserDefined"]
-with h5py.File(sys.argv[1], "w", libver=("earliest", "v108")) as file:
+with h5py.File(sys.argv[1], "w", libver=("earliest", "v108"), track_order=True) as file:
     for name, text, size in ((" format", "IEEE_LITTLE_32", 15), (" hdf5version", "HDF5 Version 1.14", 33)):
         file.create_dataset(name, data=np.frombuffer(text.encode().ljust(size, b"\0"), np.int8))
-    file.attrs["name"], file.attrs["label"], file.attrs["type"] = np.bytes_("HDF5 MotherNode"), np.bytes_("Root Node of HDF5 File"), np.bytes_("MT")
+    for key, value, width in (("name", "HDF5 MotherNode", 33), ("label", "Root Node of HDF5 File", 33), ("type", "MT", 3)):
+        file.attrs.create(key, np.bytes_(value), dtype=f"S{width}")
     node(file, "CGNSLibraryVersion", "CGNSLibraryVersion_t", np.array([3.4], np.float32), "R4")
     base = node(file, "Base", "CGNSBase_t", np.array([3, 3], np.int32), "I4")
     zone = node(base, "Zone", "Zone_t", np.array([[4], [1], [0]], np.int32), "I4")

@@ -185,3 +185,15 @@ def test_faces_of_polyhedra_and_mixed_sections(has_starts: bool, monkeypatch: py
     assert found is not None
     sides = {name: [corners[a:b].tolist() for a, b in zip(offsets, offsets[1:])] for name, offsets, corners in found[0][0][1]}
     assert sides == {"outlet": [[0, 1, 2], [0, 1, 4, 5, 6]], "mixed": [[0, 1, 2, 3], [2, 1, 0]]}
+
+
+def test_points_that_are_not_rectangular_are_told(box: pathlib.Path) -> None:
+    def turn(base: Any, zone: Any) -> None:
+        grid = zone["GridCoordinates"]
+        for old, new in (("X", "R"), ("Y", "Theta")):
+            grid.move(f"Coordinate{old}", f"Coordinate{new}")
+            grid[f"Coordinate{new}"].attrs["name"] = np.bytes_(f"Coordinate{new}".ljust(33, "\0"))
+
+    _edit(box, turn)
+    with pytest.raises(ds.MeshError, match="its points are given by CoordinateR, CoordinateTheta, CoordinateZ, which VTK leaves out"):
+        ds.read(box)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import xml.etree.ElementTree
@@ -25,6 +26,8 @@ def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file; format: a key of the table below."""
     if format == "pvd":
         return _collection(path, source)
+    if format == "cgns":
+        _refuse_coordinates(path, source)
     sides = _sides_of_cgns(path) if format == "cgns" else None
     data = _caught(source, lambda: _cgns(path, sides is None) if format == "cgns" else _READERS[format](path))
     raw = vtk_data.raw_of(data, source, "VTK", _WEDGES_AS_IN_GMSH.get(format))
@@ -234,6 +237,16 @@ def _name_fluent(raw: Raw, titles: list[str], sides: list[tuple[str, Indices, In
         if len(points) and not 0 <= points.min() <= points.max() < len(raw.points):
             raise MeshError(raw.source, f"a face of zone '{name}' has a point that is not there, of {len(raw.points)}", _WAY_ON)
         raw.sides.append((name, offsets, points))
+
+
+def _refuse_coordinates(path: str, source: str) -> None:
+    """VTK knows points by CoordinateX, Y and Z only, and takes others for these without a word."""
+    with contextlib.suppress(cgns_tree.NoTree):
+        for _, zone in cgns_tree.zones(path):
+            for grid in zone.all("GridCoordinates_t"):
+                names = sorted(node.name for node in grid.all("DataArray_t"))
+                if names and "CoordinateX" not in names:
+                    raise MeshError(source, f"its points are given by {', '.join(names)}, which VTK leaves out", "its points have to be made rectangular")
 
 
 def _sides_of_cgns(path: str) -> tuple[list[Any], list[str]] | None:
