@@ -18,7 +18,8 @@ void EdgeSieve<D>::start(bool may_skip) {
   if (skipping.by_clearance) measure_clearances();
   if (may_skip && skipping.back_edges) find_inwards();
   const bool only_places = !sweeps_edges(course_.motion.body->level) && !course_.motion.body->keeps_corridors();
-  fills_ = !skipping.by_clearance && !(may_skip && skipping.by_similar_motion);
+  const bool casts_back = skipping.back_edges && !skipping.leaves_back_edges;
+  fills_ = !skipping.by_clearance && !(may_skip && (skipping.by_similar_motion || casts_back));
   sifts_ = only_places && (skipping.by_environment || (may_skip && skipping.back_edges));
   // What is counted of casts is counted where they are made.
   sees_ = D == 3 && only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
@@ -90,37 +91,61 @@ bool EdgeSieve<D>::next() {
  * go towards the inside 6.2: these are cast where they arrive, or left. At EDGES, where no corridors are kept. */
 template <int D>
 void EdgeSieve<D>::sift() {
+  const Body<D>& body = *course_.motion.body;
+  const bool skips_back = may_skip_ && body.skipping.back_edges, leaves = skips_back && body.skipping.leaves_back_edges;
+  const uint32_t size = static_cast<uint32_t>(body.edges.size());
+  count_ = 0;
+  do {
+    const uint32_t first = next_;
+    next_ = std::min(first + kChunk - count_, size);
+    const Sifted block = sift_block(first, next_ - first, skips_back);
+    for (uint64_t rest = block.kept; rest != 0; rest &= rest - 1) chunk_[count_++] = first + lowest_bit(rest);
+    count_sifted(first, block, leaves);
+    if (skips_back && !leaves) cast_where_they_arrive(first, block.back);
+  } while (fills_ && next_ < size && kChunk - count_ >= kLeastBlock);
+}
+
+/** What becomes of so many edges, at most a chunk: bits alone, as nothing is stored then. */
+template <int D>
+typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t count, bool skips_back) const {
   using Short = ShortEdges<D>;
-  Body<D>& body = *course_.motion.body;
-  const bool skips_back = may_skip_ && body.skipping.back_edges, knows_cells = body.skipping.by_environment;
-  uint8_t* const untested = skips_back && body.skipping.leaves_back_edges ? body.untested.data() : nullptr;
-  const bool casts_back = skips_back && untested == nullptr, by_chunk = casts_back || !fills_;
+  const BodyEdge* const edges = course_.motion.body->edges.data() + first;
   const uint32_t* const words = short_.words();
-  const uint32_t closed_counts = skips_back ? 1 : 0, size = static_cast<uint32_t>(body.edges.size());
-  const uint32_t end = by_chunk ? std::min(next_ + kChunk, size) : size;
-  uint32_t kept = 0, back_count = 0, back_edges[kChunk], dropped = 0, left = 0, skipped = 0, e = next_;
-  for (; e < end && kept < kChunk; ++e) {
-    const BodyEdge& edge = body.edges[e];
+  const uint32_t closed_counts = skips_back ? 1 : 0;
+  Sifted sifted;
+  for (uint32_t i = 0; i < count; ++i) {
+    const BodyEdge& edge = edges[i];
     if (edge.ends[0] == kNone) continue;
-    const uint32_t a = words[edge.ends[0]], b = words[edge.ends[1]], both = a & b;
-    const uint32_t moves = (a | b) & Short::kMoves, sure = moves & (both / Short::kSure);
-    const uint32_t inside = sure & (both / Short::kStays) & ((a ^ b) < 1u << Short::kBits ? 1u : 0u);
+    const uint32_t a = words[edge.ends[0]], b = words[edge.ends[1]], both = a & b, moves = (a | b) & Short::kMoves;
+    const uint32_t sure = moves & (both / Short::kSure), inside = sure & Short::share_cell(a, b);
     const uint32_t closed = edge.faces[1] != kNone ? closed_counts : 0;
     const uint32_t back = sure & (inside ^ 1) & (both / Short::kInwards) & closed;
-    chunk_[kept] = e;
-    kept += moves & ((inside | back) ^ 1);
-    if (casts_back) back_edges[back_count] = e;
-    back_count += casts_back ? back : 0;
-    left += back;
-    dropped += (inside | back) * ((a & Short::kMoves) + (b & Short::kMoves));
-    if (untested != nullptr) untested[e] = static_cast<uint8_t>((untested[e] & (inside ^ 1)) | back);
-    if (!knows_cells && (inside & closed & ((a | b) / Short::kInwards)) != 0) skipped += skip_inside(e);
+    sifted.inside |= uint64_t{inside} << i;
+    sifted.back |= uint64_t{back} << i;
+    sifted.kept |= uint64_t{moves & ((inside | back) ^ 1)} << i;
+    sifted.one_stays |= uint64_t{(inside | back) & ((a ^ b) & Short::kMoves)} << i;
+    sifted.inwards |= uint64_t{inside & closed & ((a | b) / Short::kInwards)} << i;
   }
-  next_ = e;
-  count_ = kept;
+  return sifted;
+}
+
+/** Counts the tests of the edges that are dropped, and notes which of them are not tested. */
+template <int D>
+void EdgeSieve<D>::count_sifted(uint32_t first, const Sifted& block, bool leaves) {
+  Body<D>& body = *course_.motion.body;
+  const uint32_t dropped = 2 * bit_count(block.inside | block.back) - bit_count(block.one_stays);
   sweeps_.counts.swept += dropped;
-  sweeps_.counts.skipped += knows_cells ? dropped : 2 * left + skipped;
-  cast_where_they_arrive(back_edges, back_count);
+  if (leaves) {
+    for (uint64_t rest = block.inside; rest != 0; rest &= rest - 1) body.untested[first + lowest_bit(rest)] = 0;
+    for (uint64_t rest = block.back; rest != 0; rest &= rest - 1) body.untested[first + lowest_bit(rest)] = 1;
+  }
+  if (body.skipping.by_environment) {
+    sweeps_.counts.skipped += dropped;
+    return;
+  }
+  uint32_t skipped = 2 * bit_count(block.back);
+  for (uint64_t rest = block.inwards; rest != 0; rest &= rest - 1) skipped += skip_inside(first + lowest_bit(rest));
+  sweeps_.counts.skipped += skipped;
 }
 
 /** How many tests 6.2 alone leaves out of an edge that stays in one cell, and whether this edge is listed: as if nothing was
@@ -191,6 +216,14 @@ void EdgeSieve<D>::drop_and_cast(Skips skips) {
     return skip;
   });
   cast_where_they_arrive(skipped, dropped);
+}
+
+/** Casts some edges of those from `first` on where their ends arrive. */
+template <int D>
+void EdgeSieve<D>::cast_where_they_arrive(uint32_t first, uint64_t which) {
+  uint32_t count = 0, edges[kChunk];
+  for (; which != 0; which &= which - 1) edges[count++] = first + lowest_bit(which);
+  cast_where_they_arrive(edges, count);
 }
 
 /** Casts edges, at most a chunk, where their ends arrive. */

@@ -35,15 +35,23 @@ class EdgeSieve {
   }
 
  private:
-  static constexpr uint32_t kChunk = 64;
+  static constexpr uint32_t kChunk = 64, kLeastBlock = 16;
   using Vertex = typename Course<D>::Vertex;
 
   void measure_clearances();
   void find_inwards();
   void gather();
+  /** Bits of the edges of a block: those that stay in a convex cell, those that go inwards, those that are neither and move; of the
+   * first two those of which one end does not move, of the first those of closed surfaces with an end that goes inwards. */
+  struct Sifted {
+    uint64_t inside = 0, back = 0, kept = 0, one_stays = 0, inwards = 0;
+  };
   void sift();
+  Sifted sift_block(uint32_t first, uint32_t count, bool skips_back) const;
+  void count_sifted(uint32_t first, const Sifted& block, bool leaves);
   uint32_t skip_inside(uint32_t e);
   void cast_where_they_arrive(const uint32_t* edges, uint32_t count);
+  void cast_where_they_arrive(uint32_t first, uint64_t which);
   template <class Drops>
   void drop(Drops drops);
   template <class Skips>

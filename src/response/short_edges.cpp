@@ -6,7 +6,6 @@ namespace dsw {
 
 template <int D>
 void ShortEdges<D>::start(bool looks) {
-  looks_ = looks;
   has_others_ = false;
   const Array<VertexWay>& ways = course_.motion.ways;
   words_.resize(ways.size());
@@ -27,16 +26,17 @@ template <int D>
 typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t count) {
   Seen seen;
   const uint32_t pairs = gather(edges, count, seen);
-  if (!looks_ || pairs == 0) return seen;
+  if (pairs == 0) return seen;
   ask(pairs);
   for (uint32_t i = 0; i < pairs; ++i) {
     const Pair& pair = pairs_[i];
-    const uint32_t number = told_of_pairs_[i] ^ kAsked;
-    const uint32_t told = number < kMostPairs ? answers_[number] : told_of_pairs_[i];
-    uint32_t turns = told == course_.motion.ways[pair.vertex].arrival.unit ? pair.turns : 0u;
-    if ((told ^ kSeveral) < kSeveral) {
+    const uint32_t number = of_pairs_[i].what ^ kAsked;
+    const Told told = number < kMostPairs ? answers_[number] : of_pairs_[i];
+    uint32_t turns = told.what == course_.motion.ways[pair.vertex].arrival.unit ? pair.turns : 0u;
+    const uint32_t facets = told.what ^ kSeveral;
+    if (facets < kSeveral) {
       for (const uint32_t turn : {kFirst, kSecond}) {
-        if ((pair.turns & turn) != 0 && leads(pair, told ^ kSeveral, edges, turn)) turns |= turn;
+        if ((pair.turns & turn) != 0 && leads(pair, told.cell, facets, edges, turn)) turns |= turn;
       }
     }
     seen.first |= uint64_t{turns & kFirst} << pair.place;
@@ -45,99 +45,113 @@ typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t
   return seen;
 }
 
-/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
+/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are.
+ * First bits alone, as nothing is stored then. */
 template <int D>
 uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen) {
   const BodyEdge* const of = course_.motion.body->edges.data();
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   const VertexWay* const ways = course_.motion.ways.data();
   const uint32_t* const words = words_.data();
-  uint32_t pairs = 0, others = 0;
-  uint8_t moving[kMost];  // ends that change their cells
-  uint64_t inside = 0, sure = 0;
-  uint32_t stopped = 0;
+  uint64_t inside = 0, stay = 0, sure = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t(&ends)[2] = of[edges[i]].ends;
-    const typename Course<D>::Vertex &a = vertices[ends[0]], &b = vertices[ends[1]];
-    const uint32_t k = b.rank < a.rank ? 1 : 0;
-    const uint32_t v = ends[k], word = words[ends[1 - k]], home = word >> kBits, arrival = ways[v].arrival.unit;
-    const uint32_t same = home == arrival ? 1 : 0, known = word / kStays & 1, arrives = arrival != kNone ? 1 : 0;
-    inside |= uint64_t{same & known} << i;
-    pairs_[pairs] = {v, home, static_cast<uint8_t>(i), kFirst | kSecond};
-    pairs += (same ^ 1) & known & arrives;
-    moving[others] = static_cast<uint8_t>(i);
-    others += (known ^ 1) & arrives;
-    stopped |= arrives ^ 1;
-    const uint32_t doubt = uint32_t{a.doubtful} | uint32_t{b.doubtful};
-    sure |= uint64_t{(doubt ^ 1) & (std::max(a.rank, b.rank) != kNone ? 1u : 0u)} << i;
+    const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
+    inside |= uint64_t{share_cell(a, b)} << i;
+    stay |= uint64_t{both / kStays & 1} << i;
+    const uint32_t doubt = uint32_t{vertices[ends[0]].doubtful} | uint32_t{vertices[ends[1]].doubtful};
+    sure |= uint64_t{both & (doubt ^ 1) & kMoves} << i;
   }
-  seen = {inside, inside, sure, stopped != 0};
-  for (uint32_t i = 0; i < others; ++i) add_turns(edges, moving[i], pairs, seen);
+  uint32_t pairs = 0;
+  for (uint64_t rest = stay & ~inside; rest != 0; rest &= rest - 1) {
+    const uint32_t i = lowest_bit(rest);
+    const uint32_t(&ends)[2] = of[edges[i]].ends;
+    const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
+    pairs_[pairs++] = {ends[k], words[ends[1 - k]] >> kBits, static_cast<uint8_t>(i), kFirst | kSecond};
+  }
+  seen = {inside, inside, sure, false};
+  for (uint64_t rest = ~stay & (count == kMost ? ~uint64_t{0} : (uint64_t{1} << count) - 1); rest != 0;
+       rest &= rest - 1) {
+    const uint32_t i = lowest_bit(rest);
+    const uint32_t(&ends)[2] = of[edges[i]].ends;
+    const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
+    if (ways[ends[k]].arrival.valid()) {
+      pairs = add_turns(edges, i, pairs, seen);
+    } else {
+      seen.some_stop = true;
+    }
+  }
   return pairs;
 }
 
-/** An edge whose second end does not stay in a convex cell is asked about at each turn. */
+/** An edge whose ends do not both stay in a convex cell is asked about at each turn. Returns how many pairs there are then. */
 template <int D>
-void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, uint32_t& pairs, Seen& seen) {
+uint32_t ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen) {
   const uint32_t(&ends)[2] = course_.motion.body->edges[edges[place]].ends;
   const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
   const uint32_t v = ends[k];
   const VertexWay& way = course_.motion.ways[ends[1 - k]];
   const Cell target = course_.motion.ways[v].arrival;
-  const auto add = [&](Cell cell, uint32_t turn, uint64_t& of_turn) {
+  const auto add = [&](Cell cell, uint32_t turns, uint64_t& of_turn) {
     if (!cell.valid() || !env_.map.convex(cell)) return;
     if (cell == target) {
       of_turn |= uint64_t{1} << place;
+      if (turns == (kFirst | kSecond)) seen.second |= uint64_t{1} << place;
     } else {
-      pairs_[pairs++] = {v, cell.unit, static_cast<uint8_t>(place), static_cast<uint8_t>(turn)};
+      pairs_[pairs++] = {v, cell.unit, static_cast<uint8_t>(place), static_cast<uint8_t>(turns)};
     }
   };
-  add(way.from, kFirst, seen.first);
-  add(way.arrival, kSecond, seen.second);
+  if (way.from == way.arrival) {
+    add(way.from, kFirst | kSecond, seen.first);
+  } else {
+    add(way.from, kFirst, seen.first);
+    add(way.arrival, kSecond, seen.second);
+  }
+  return pairs;
 }
 
 /** Looks at the cells that were not looked at for the same vertex before. */
 template <int D>
 void ShortEdges<D>::ask(uint32_t pairs) {
   uint32_t asked = 0;
+  Cell cells[kMostPairs];
+  const double* points[kMostPairs];
   for (uint32_t i = 0; i < pairs; ++i) {
-    const auto [v, cell, place, turns] = pairs_[i];
+    const uint32_t v = pairs_[i].vertex, cell = pairs_[i].cell;
     if (looked_[v] != cell) {
       looked_[v] = cell;
-      told_[v] = kAsked | asked;
-      questions_[asked++] = {v, {cell}};
+      told_[v].what = kAsked | asked;
+      askers_[asked] = v;
+      cells[asked] = {cell};
+      points[asked++] = course_.place(v, kNone);
     }
-    told_of_pairs_[i] = told_[v];
+    of_pairs_[i] = told_[v];
   }
-  answer(asked);
+  answer(asked, cells, points);
   for (uint32_t i = 0; i < asked; ++i) {
-    uint32_t& told = told_[questions_[i].vertex];
-    if (told == (kAsked | i)) told = answers_[i];
+    Told& told = told_[askers_[i]];
+    if (told.what == (kAsked | i)) told = answers_[i];
   }
 }
 
-/** Answers the questions: goes from cell to cell while one facet alone has the target outside. */
+/** Answers so many questions: goes from cell to cell while one facet alone has the target outside. Writes cells and points. */
 template <int D>
-void ShortEdges<D>::answer(uint32_t count) {
+void ShortEdges<D>::answer(uint32_t count, Cell* cells, const double** points) {
   uint8_t open[kMostPairs], facets[kMostPairs];
-  Cell cells[kMostPairs];
-  const double* points[kMostPairs];
-  for (uint32_t i = 0; i < count; ++i) {
-    open[i] = static_cast<uint8_t>(i);
-    cells[i] = questions_[i].cell;
-    points[i] = course_.place(questions_[i].vertex, kNone);
-  }
   for (uint32_t depth = 0; depth < kMostLooks && count != 0; ++depth) {
     find_outside(env_, cells, points, count, facets);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t question = open[i], outside = facets[i], rest = outside & (outside - 1);
-      uint32_t& told = answers_[question];
-      told = depth == 0 && rest != 0 && (rest & (rest - 1)) == 0 ? kSeveral | outside : kNone;
+      const uint32_t question = depth == 0 ? i : open[i], outside = facets[i], rest = outside & (outside - 1);
+      Told& told = answers_[question];
+      told = {rest != 0 && (rest & (rest - 1)) == 0 ? kSeveral | outside : kNone, cells[i]};
       if (outside == 0 || rest != 0) continue;
       const Cell next = open_neighbour(env_, cells[i], lowest_bit(outside));
-      if (next == course_.motion.ways[questions_[question].vertex].arrival) told = next.unit;
-      if (told != kNone || !next.valid()) continue;
+      if (!next.valid()) continue;
+      if (next == course_.motion.ways[askers_[question]].arrival) {
+        told.what = next.unit;
+        continue;
+      }
       open[kept] = static_cast<uint8_t>(question);
       cells[kept] = next;
       points[kept++] = points[i];
@@ -146,12 +160,13 @@ void ShortEdges<D>::answer(uint32_t count) {
   }
 }
 
-/** Whether an edge passes from the cell of its second end, at a turn, straight into that of the target of the first one. */
+/** Whether an edge, at a turn of one of its ends, passes from the cell that was looked at last straight into that of the target
+ * of its first end. */
 template <int D>
-bool ShortEdges<D>::leads(const Pair& pair, uint32_t facets, const uint32_t* edges, uint32_t turn) const {
+bool ShortEdges<D>::leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges, uint32_t turn) const {
   const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
   const double* const from = turn == kFirst ? course_.motion.body->position(w) : course_.place(w, kNone);
-  return leads_into(env_, {pair.cell}, facets, from, course_.place(pair.vertex, kNone),
+  return leads_into(env_, cell, facets, from, course_.place(pair.vertex, kNone),
                     course_.motion.ways[pair.vertex].arrival);
 }
 

@@ -31,10 +31,12 @@ class ShortEdges {
   /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
    * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
   void start(bool looks);
-  /** What is known of the vertices, a word for each: the unit of the convex cell in which it stays, above four bits. */
+  /** A word for each vertex, as it was at the start: whether it moves, is not in doubt, goes inwards, stays in a convex cell, whose
+   * unit stands above these bits. */
   const uint32_t* words() const { return words_.data(); }
-  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4, kStays = 8;  // kSure: it is not in doubt
-  static constexpr uint32_t kBits = 4;
+  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4, kStays = 8, kBits = 4;
+  /** Whether two vertices stay in the same convex cell: 1 or 0. */
+  static uint32_t share_cell(uint32_t a, uint32_t b) { return ((a ^ b) < 1u << kBits ? 1u : 0u) & (a & b) / kStays; }
   /** Whether a vertex stays in a cell that is not convex. */
   bool has_others() const { return has_others_; }
   /** What is seen of at most kMost edges. Of an end that does not move nothing is told. */
@@ -43,8 +45,8 @@ class ShortEdges {
  private:
   static constexpr uint32_t kMostLooks = kMostCells - 1;
   static constexpr uint32_t kMostPairs = 2 * kMost;
-  static constexpr uint32_t kAsked = 1u << 30;    // in an answer: with the number of the question that is still open
-  static constexpr uint32_t kSeveral = 1u << 29;  // in an answer: with the two facets that have the target outside
+  static constexpr uint32_t kAsked = 1u << 30;  // with the number of a question that is still open
+  static constexpr uint32_t kSeveral = 1u << 29;
   static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
 
   /** An edge, the end that goes first, the cell of the other one, and the turns at which it is there. */
@@ -52,29 +54,29 @@ class ShortEdges {
     uint32_t vertex, cell;
     uint8_t place, turns;
   };
-  /** Whether a vertex is reached from a cell. */
-  struct Question {
-    uint32_t vertex;
+  /** Where a vertex is reached from a cell: the cell of its target; or kSeveral with the two facets that have the target outside,
+   * and the last cell that was looked at; or kNone. */
+  struct Told {
+    uint32_t what = kNone;
     Cell cell;
   };
 
   uint32_t gather(const uint32_t* edges, uint32_t count, Seen& seen);
-  void add_turns(const uint32_t* edges, uint32_t place, uint32_t& pairs, Seen& seen);
+  uint32_t add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen);
   void ask(uint32_t pairs);
-  void answer(uint32_t count);
-  bool leads(const Pair& pair, uint32_t facets, const uint32_t* edges, uint32_t turn) const;
+  void answer(uint32_t count, Cell* cells, const double** points);
+  bool leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges, uint32_t turn) const;
 
   const Environment<D>& env_;
   const Course<D>& course_;
-  bool looks_ = false, has_others_ = false;
+  bool has_others_ = false;
   Array<uint32_t> words_{env_.memory};   // by vertex
   Array<uint32_t> looked_{env_.memory};  // by vertex: the cell that was last looked at for its target; kNone: none
-  Array<uint32_t> told_{
-      env_.memory};  // by vertex, of that cell: the cell of the target, or kSeveral and facets, or kNone
+  Array<Told> told_{env_.memory};        // by vertex: of that cell
   Pair pairs_[kMostPairs];
-  uint32_t told_of_pairs_[kMostPairs];
-  Question questions_[kMostPairs];
-  uint32_t answers_[kMostPairs];
+  Told of_pairs_[kMostPairs];
+  uint32_t askers_[kMostPairs];  // of each question: the vertex
+  Told answers_[kMostPairs];
 };
 
 }  // namespace dsw

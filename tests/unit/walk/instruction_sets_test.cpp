@@ -11,7 +11,7 @@
 #include "environment/moving.h"
 #include "flown.h"
 #include "locate/locate.h"
-#include "small_meshes.h"
+#include "pyramid_lattice.h"
 #include "topology/coarsen.h"
 #include "walk/shear.h"
 #include "walks.h"
@@ -34,15 +34,6 @@ void expect_same(const CastCounters& a, const CastCounters& b) {
   EXPECT_EQ(a.orientation_tests, b.orientation_tests);
   EXPECT_EQ(a.exact_fallbacks, b.exact_fallbacks);
   EXPECT_EQ(a.ties, b.ties);
-}
-
-/** Six round the middle of a cube, one for each of its faces. */
-void add_pyramids(SmallMesh& mesh, const std::vector<int64_t>& cube) {
-  const size_t low = 3 * static_cast<size_t>(cube[0]);
-  const double middle[3] = {mesh.points[low] + 0.5, mesh.points[low + 1] + 0.5, mesh.points[low + 2] + 0.5};
-  const int64_t apex = static_cast<int64_t>(mesh.points.size() / 3);
-  mesh.point(middle[0], middle[1], middle[2]);
-  for (const auto& face : box_faces(cube)) mesh.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
 }
 
 /** Random points; where ties are wanted, on the lattice of half cells or on a vertex. */
@@ -92,22 +83,6 @@ SmallMesh mixed_lattice() {
     }
   }
   return mixed;
-}
-
-/** Six to a cell of a lattice. */
-SmallMesh pyramid_lattice() {
-  const SmallMesh mesh = lattice(kSize, kHexahedron);
-  SmallMesh pyramids = mesh;
-  pyramids.name = "pyramids";
-  pyramids.types.clear();
-  pyramids.offsets = {0};
-  pyramids.connectivity.clear();
-  for (size_t i = 0; i < mesh.types.size(); ++i) {
-    const auto first = mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i);
-    const std::vector<int64_t> c(first, first + 8);
-    add_pyramids(pyramids, c);
-  }
-  return pyramids;
 }
 
 /** Columns of wedges: every cell of a lattice cut along a vertical diagonal. */
@@ -183,7 +158,7 @@ TEST_P(InstructionSetTest, SameResultsAndCountersAloneAndSideBySide) {
                                          lattice(kSize, kPolyhedron, 0.12),
                                          wedge_lattice(),
                                          mixed_lattice(),
-                                         pyramid_lattice()};
+                                         pyramid_lattice(kSize)};
   uint32_t seed = 17;
   // Then tetrahedra that are merged, and flat cells of which some bend.
   const size_t all_meshes = meshes.size(), others[5] = {2, 3, 0, 7, 8};

@@ -1,0 +1,121 @@
+// Edges that are seen to be free without a cast change nothing: a scene that counts its casts makes all of them, and tells
+// the same of every move.
+#include "body_state.h"
+#include "support.h"
+#include "sweep_scenes.h"
+
+namespace dsw::oracle {
+namespace {
+
+constexpr uint32_t kBack = DSW_BODY_SKIP_BACK_EDGES, kCells = DSW_BODY_SKIP_BY_ENVIRONMENT,
+                   kLeave = DSW_BODY_LEAVE_BACK_EDGES;
+constexpr uint32_t kFlags[] = {0,
+                               kCells,
+                               kBack,
+                               kBack | kCells,
+                               kBack | kLeave,
+                               kBack | kCells | kLeave,
+                               DSW_BODY_SKIP_SIMILAR_MOTION,
+                               DSW_BODY_SKIP_BY_CLEARANCE | kBack};
+constexpr int kMoves = 6;  // of a body
+
+/// A closed surface of 4 * rings + 2 vertices.
+BodyPlan ball(const Vec& centre, double radius, uint32_t rings) {
+  BodyPlan plan;
+  const auto at = [&](double x, double y, double z) {
+    plan.at.push_back({centre[0] + radius * x, centre[1] + radius * y, centre[2] + radius * z});
+  };
+  at(0, 0, 1);
+  for (uint32_t r = 0; r < rings; ++r) {
+    const double z = 1 - 2.0 * (r + 1) / (rings + 1), wide = 1 - z * z;
+    for (const auto& [x, y] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{-1, 0}, std::pair{0, -1}})
+      at(wide * x, wide * y, z);
+  }
+  at(0, 0, -1);
+  const uint32_t last = 4 * rings + 1;
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint32_t j = (i + 1) % 4;
+    plan.faces.push_back({0, 1 + i, 1 + j});
+    for (uint32_t r = 0; r + 1 < rings; ++r)
+      plan.faces.push_back({1 + 4 * r + i, 5 + 4 * r + i, 5 + 4 * r + j, 1 + 4 * r + j});
+    plan.faces.push_back({last, last - 4 + j, last - 4 + i});
+  }
+  return plan;
+}
+
+/// All that a move told.
+std::string told(const BodyAnswer& answer) {
+  const dsw_move_report& r = answer.report;
+  std::string text = bits_of(answer);
+  for (const uint64_t n :
+       {uint64_t{r.edges_swept}, uint64_t{r.edges_skipped}, uint64_t{r.vertices_stopped}, uint64_t{r.contact_count}}) {
+    text += std::to_string(n) + " ";
+  }
+  for (const uint32_t edge : answer.after.untested) text += "u" + std::to_string(edge);
+  return text;
+}
+
+class ShortEdgesTest : public testing::Test {
+ protected:
+  /// One body in both scenes, which goes the same ways.
+  void run_body(StagePlaces& places, Rng& rng, double size, dsw_scene* const (&scenes)[2]) {
+    const double radius = size * std::pow(10, -rng.range(0.7, 2.5));
+    const BodyPlan plan =
+        ball(rng.chance(0.5) ? places.near(places.obstacle(0.5), 0.1) : places.start(), radius, 1 + rng.below(4));
+    const uint32_t flags = kFlags[rng.below(std::size(kFlags))];
+    dsw_body_id bodies[2];
+    for (int k = 0; k < 2; ++k) {
+      if (create_body(scenes[k], plan, DSW_LEVEL_EDGES, flags, {}, &bodies[k]) != DSW_STATUS_OK) return;
+    }
+    std::vector<Vec> at = plan.at;
+    for (int move = 0; move < kMoves; ++move) {
+      dsw_move_options options = defaults(dsw_move_options_init);
+      static const uint32_t limits[] = {0, 0, 1, 3, 4, 50};
+      options.max_volumes = limits[rng.below(6)];
+      const double way = radius * std::pow(10, -rng.range(0, 3)), bend = rng.chance(0.3) ? way : 0.01 * way;
+      Vec drift;
+      for (double& x : drift) x = way * rng.range(-1, 1);
+      for (Vec& p : at) {
+        for (size_t i = 0; i < 3; ++i) p[i] += drift[i] + bend * rng.range(-1, 1);
+      }
+      BodyAnswer answers[2];
+      for (int k = 0; k < 2; ++k) {
+        ASSERT_EQ(move_body(scenes[k], bodies[k], at, &options, answers[k]), "");
+      }
+      ASSERT_EQ(told(answers[0]), told(answers[1])) << "flags " << flags << " limit " << options.max_volumes;
+      ++moves_;
+      swept_ += answers[0].report.edges_swept;
+      stopped_ += answers[0].report.vertices_stopped;
+      at = answers[0].after.at;
+    }
+    for (int k = 0; k < 2; ++k) ASSERT_EQ(dsw_body_destroy(scenes[k], bodies[k]), DSW_STATUS_OK);
+  }
+
+  uint64_t moves_ = 0, swept_ = 0, stopped_ = 0;
+};
+
+TEST_F(ShortEdgesTest, ChangeNothing) {
+  for (uint64_t seed = 1; seed <= seeds_of(3, 1); ++seed) {
+    Rng seeds(seed_of(seed));
+    for (const SweepTurn& turn : sweep_turns("")) {
+      SCOPED_TRACE(std::string(turn.kind->name) + transform_name(turn.transform) + " seed " + std::to_string(seed));
+      Rng rng(seeds.next() >> 1);
+      SweepReport report;
+      const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report);
+      if (stage == nullptr) continue;
+      SpaceArena arena(stage->world, stage->marked_edges);
+      StagePlaces places(*stage, rng);
+      const ScenePtr plain = make_scene(stage->environment.get());
+      const ScenePtr counting = make_scene(stage->environment.get(), DSW_FEATURE_STATISTICS);
+      for (int body = 0; body < 6; ++body) {
+        ASSERT_NO_FATAL_FAILURE(run_body(places, rng, arena.size(), {plain.get(), counting.get()}));
+      }
+    }
+  }
+  EXPECT_GE(moves_, 500u);
+  EXPECT_GE(swept_, 10000u);
+  EXPECT_GE(stopped_, 100u);
+}
+
+}  // namespace
+}  // namespace dsw::oracle

@@ -1,0 +1,116 @@
+// What is seen of ways without a cast is what casts find.
+
+#include "walk/short_way.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "environment/marking.h"
+#include "flown.h"
+#include "locate/locate.h"
+#include "predicates/tally.h"
+#include "pyramid_lattice.h"
+#include "walks.h"
+
+#include "../../effort.h"
+
+namespace {
+
+using namespace dsw;
+using namespace dsw::testing_meshes;
+using namespace dsw::testing_walk;
+
+constexpr uint32_t kWays = kPacket;
+
+struct Seen {
+  size_t one = 0, two = 0, open = 0, led = 0;
+};
+
+uint32_t facets_outside(const Environment<3>& env, Cell cell, const double* point) {
+  uint32_t facets = 0;
+  const Shape shape = env.map.shape(cell);
+  for (uint32_t f = 0; f < shape.facet_count(); ++f) {
+    const double* simplex[3];
+    boundary_points(env, cell, shape.simplex_first(f), simplex);
+    facets |= (plane_side<3>(simplex, point, NoTally{}).sign > 0 ? 1u : 0u) << f;
+  }
+  return facets;
+}
+
+/** The second cell of a cast; invalid if there is none. */
+Cell second_cell(const Environment<3>& env, Cell cell, const double* from, const double* to) {
+  std::vector<Crossing> crossings;
+  CastRequest request;
+  request.from = from;
+  request.to = to;
+  request.start = cell;
+  request.crossing = note;
+  request.crossing_user = &crossings;
+  cast(env, request, nullptr);
+  return crossings.empty() ? Cell{} : Cell{crossings[0].to};
+}
+
+void check_way(const Environment<3>& env, Cell cell, uint32_t facets, const double* from, const double* to,
+               Seen& seen) {
+  if (facets == 0) return;
+  EXPECT_EQ(facets, facets_outside(env, cell, to));
+  const Cell second = second_cell(env, cell, from, to);
+  const uint32_t rest = facets & (facets - 1);
+  if (rest == 0) {
+    const Cell next = open_neighbour(env, cell, lowest_bit(facets));
+    ++seen.one;
+    seen.open += next.valid() ? 1 : 0;
+    EXPECT_EQ(next, second);
+  } else if ((rest & (rest - 1)) == 0) {
+    ++seen.two;
+    for (const uint32_t f : {lowest_bit(facets), lowest_bit(rest)}) {
+      const Cell next = open_neighbour(env, cell, f);
+      if (!next.valid()) continue;
+      const bool leads = leads_into(env, cell, facets, from, to, next);
+      seen.led += leads ? 1 : 0;
+      // A ridge that the two do not share tells nothing.
+      if (leads) {
+        EXPECT_EQ(next, second);
+      }
+    }
+  }
+}
+
+TEST(ShortWay, IsTheWayOfACast) {
+  std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
+  std::uniform_real_distribution<double> somewhere(0.05, 4.95), beside(-0.8, 0.8);
+  for (const SmallMesh& mesh :
+       {lattice(5, kTetra), lattice(5, kTetra, 0.03), lattice(5, kHexahedron), pyramid_lattice(5)}) {
+    SCOPED_TRACE(mesh.name);
+    Environment<3> env(nullptr);
+    build_mesh(env, mesh);
+    for (uint32_t i = 0; i < env.map.cell_count; i += 11) set_cell_mark(env, env.map.cell(i), true);
+    Seen seen;
+    for (int round = 0; round < effort_of(20); ++round) {
+      double from[kWays][3], to[kWays][3];
+      Cell cells[kWays];
+      const double* points[kWays];
+      for (uint32_t i = 0; i < kWays; ++i) {
+        do {
+          for (double& x : from[i]) x = somewhere(random);
+          cells[i] = locate(env, from[i], Cell{}, nullptr).cell;
+        } while (!cells[i].valid() || env.map.marked(cells[i]));
+        for (int k = 0; k < 3; ++k) to[i][k] = from[i][k] + beside(random);
+        points[i] = to[i];
+      }
+      for (const NamedWalk& walk : walks()) {
+        SCOPED_TRACE(walk.name);
+        uint8_t facets[kWays];
+        walk.walk.find_outside(env, cells, points, kWays, facets);
+        for (uint32_t i = 0; i < kWays; ++i) check_way(env, cells[i], facets[i], from[i], to[i], seen);
+      }
+    }
+    EXPECT_GE(seen.one, 100u);
+    EXPECT_GE(seen.two, 100u);
+    EXPECT_GE(seen.open, seen.one / 3);
+    EXPECT_GE(seen.led, seen.two / 3);
+  }
+}
+
+}  // namespace
