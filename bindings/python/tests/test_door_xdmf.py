@@ -52,3 +52,14 @@ def test_grids_that_lie_side_by_side_are_all_kept(tmp_path: pathlib.Path) -> Non
     with ds.read(path) as made:
         assert made.info.volume_count == 2 and volume_of(made) == pytest.approx(1 / 3)
         assert sorted(made.region_names) == ["one", "two"]
+
+
+@pytest.mark.parametrize(("said", "rows"), [('BaseOffset="1"', "1 2 4 3 5 6 8 7"), ('Order="0 1 3 2 4 5 7 6"', "0 1 2 3 4 5 6 7"), ('BaseOffset="0"', "0 1 3 2 4 5 7 6")])
+def test_numbers_of_points_that_meshio_would_take_as_they_stand(said: str, rows: str, tmp_path: pathlib.Path) -> None:
+    """A cube whose points go line by line; one more point would be taken for one of its corners."""
+    points = " ".join(f"{x} {y} {z}" for z in (0, 1) for y in (0, 1) for x in (0, 1)) + " 9 9 9"
+    grid = f'<Topology TopologyType="Hexahedron" NumberOfElements="1" {said}><DataItem Dimensions="1 8" NumberType="Int" Format="XML">{rows}</DataItem></Topology>'
+    place = f'<Geometry GeometryType="XYZ"><DataItem Dimensions="9 3" Format="XML">{points}</DataItem></Geometry>'
+    (tmp_path / "cube.xdmf").write_text(f'<Xdmf Version="3.0"><Domain><Grid GridType="Uniform">{grid}{place}</Grid></Domain></Xdmf>')
+    with ds.read(tmp_path / "cube.xdmf") as environment:
+        assert volume_of(environment) == pytest.approx(1)

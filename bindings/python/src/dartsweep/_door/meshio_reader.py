@@ -46,6 +46,8 @@ def read(path: str, source: str, format: str) -> Raw:
         raise MeshError(source, "meshio would keep its faces and leave out its cells", _WAY_ON)
     if format == "nastran" and nastran_systems.has_any(path):
         raise MeshError(source, "meshio would take points of other coordinate systems for global ones", "Gmsh reads it")
+    if format == "xdmf" and _has_other_numbers(path):
+        raise MeshError(source, "meshio would leave out BaseOffset or Order of its topology", "VTK reads it")
     output = io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
@@ -62,6 +64,13 @@ def read(path: str, source: str, format: str) -> Raw:
         raise MeshError(source, "meshio does not know the order of the nodes of its quadratic cells", _WAY_ON)
     _mirror(raw.cells, _MIRRORED_BY_FORMAT.get(format, {}))
     return raw
+
+
+def _has_other_numbers(path: str) -> bool:
+    """Whether points of an XDMF file have numbers that do not begin with 0, or stand in an order of their own."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        heads: list[str] = re.findall(r"<Topology\b[^>]*>", file.read())
+    return any(re.search(r"""\bOrder\s*=|\bBaseOffset\s*=\s*["']\s*0*[1-9]""", head) for head in heads)
 
 
 def raw_of(mesh: Any, source: str) -> Raw:
