@@ -123,6 +123,17 @@ def test_elements_that_gmsh_leaves_out_are_told(tmp_path: pathlib.Path) -> None:
         assert environment.info.volume_count == 2 and "meshio read it, after: Gmsh keeps 1 of 2 elements" in environment.notes[0]
 
 
+def test_wedges_of_medit_that_gmsh_leaves_out_are_told(tmp_path: pathlib.Path) -> None:
+    gmsh_or_skip()
+    from dartsweep._door import gmsh_reader
+
+    meshio.write(tmp_path / "two.mesh", meshio.Mesh(np.array([*PRISM, (0, 0, -1.0)]), [("tetra", [[0, 2, 1, 6]]), ("wedge", [list(range(6))])]), "medit")
+    with pytest.raises(ds.MeshError, match="Gmsh leaves out its prisms, without a word"):
+        gmsh_reader.read(str(tmp_path / "two.mesh"), "the file", "mesh")
+    with ds.read(tmp_path / "two.mesh") as environment:
+        assert environment.info.volume_count == 2
+
+
 def test_what_meshio_would_leave_out_is_not_lost(tmp_path: pathlib.Path) -> None:
     import pyvista
 

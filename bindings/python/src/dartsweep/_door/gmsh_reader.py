@@ -110,6 +110,11 @@ def _check_count(path: str, format: str, raw: Raw) -> None:
         declared = sum(_ELEMENT_OF_NASTRAN.match(line) is not None for line in lines)
         if not any(line.upper().startswith("ENDDATA") for line in lines):
             raw.notes.append("the file has no ENDDATA: it may have been cut short")
+    elif format == "mesh":
+        with open(path, encoding="latin-1") as rows:
+            found = re.search(r"(?m)^[ \t]*(Prisms|Pyramids)\s+[1-9]", rows.read())
+        if found:
+            raise MeshError(raw.source, f"Gmsh leaves out its {found.group(1).lower()}, without a word", "meshio can write the mesh anew")
     elif format == "msh" and os.path.getsize(path) > 0:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
             at = text.find(b"\n$ELM" if text[:4] == b"$NOD" else b"\n$Elements")
