@@ -8,7 +8,7 @@ tests=$PWD/build/python/tests.xml
 export DARTSWEEP_OTHER_VTK=$PWD/build/python/vtk-9.6.2
 "$python" -m pytest bindings/python --junitxml="$tests"
 # This builds the module again, with the shared library that the tests of abi/ guard, in build/dartsweep.
-PATH=$(dirname "$python"):$PATH cmake -S bindings/python -B build/python/shared -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DDSW_QUICK_BUILD=ON -DDSW_USE_INSTALLED=ON \
+PATH=$(dirname "$python"):$PATH cmake -S bindings/python -B build/python/shared -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DDSW_USE_INSTALLED=ON \
   -DDSW_PYTHON_SHARED=ON -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" >build/python/shared.log
 cmake --build build/python/shared >>build/python/shared.log || { tail -n 20 build/python/shared.log >&2; exit 1; }
 DARTSWEEP_LIBRARY=$PWD/build/dartsweep/lib/libdartsweep.so PYTHONPATH=$PWD/build/python/shared "$python" -m pytest -p no:cacheprovider \

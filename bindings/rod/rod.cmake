@@ -7,4 +7,8 @@ if(NOT TARGET dartsweep_rod)
   target_include_directories(dartsweep_rod PUBLIC ${rod}/..)
   target_link_libraries(dartsweep_rod PUBLIC Eigen3::Eigen)
   set_target_properties(dartsweep_rod PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(DSW_QUICK_BUILD OR dsw_unity_tests) # as in the library; and Eigen is read once
+    set_target_properties(dartsweep_rod PROPERTIES UNITY_BUILD ON)
+    target_compile_options(dartsweep_rod PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
 endif()
