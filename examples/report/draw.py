@@ -42,7 +42,7 @@ def line_of(points):
 
 def draw_panel(axes, panel, look, tips, by_setting):
     axis = set_axes(axes, panel, by_setting)
-    wanted, lines = [], []
+    wanted, lines, marks = [], [], []
     for name, points in panel.series().items():
         shade, mark = look[name]
         role, line = points[0].role, line_of(points)
@@ -60,8 +60,10 @@ def draw_panel(axes, panel, look, tips, by_setting):
                       markerfacecolor=colour("paper") if point.error == 0 and role == "dial" else shade, markeredgewidth=1.3)
             if point.setting and not by_setting and (len(points) > 1 or role == "dial"):
                 wanted.append((*place, short_setting(point.setting), shade))
+            else:
+                marks.append(place)
     axes.figure.canvas.draw()
-    labels.place(axes, wanted, lines)
+    labels.place(axes, wanted, lines, marks)
 
 
 def short_setting(setting):

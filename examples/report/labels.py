@@ -20,13 +20,13 @@ def on_line(box, line):
     return sum(box.x0 <= x <= box.x1 and box.y0 <= y <= box.y1 for x, y in places)
 
 
-def place(axes, wanted, lines, taken=()):
-    """Labels `wanted`, (x, y, text, colour) each, away from their points, from lines (ends in data) and from boxes already
-    taken. A label that finds no room is left out: a table below the chart has all values. Returns how many were placed."""
+def place(axes, wanted, lines, marks=()):
+    """Labels `wanted`, (x, y, text, colour) each, away from their points, from lines (ends in data) and from `marks`, points without
+    a label. A label that finds no room is left out: a table below the chart has all values. Returns how many were placed."""
     renderer = axes.figure.canvas.get_renderer()
     screen = axes.transData.transform
     points = [screen((x, y)) for x, y, _, _ in wanted]
-    taken = [*taken, *(Bbox.from_bounds(x - 5, y - 5, 10, 10) for x, y in points)]
+    taken = [Bbox.from_bounds(x - 5, y - 5, 10, 10) for x, y in [*points, *(screen(mark) for mark in marks)]]
     lines = [(screen(start), screen(end)) for start, end in lines]
     frame = axes.get_window_extent(renderer)
     placed = 0

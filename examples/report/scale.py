@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from style import colour, power, seconds
 
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
 
 
 @dataclass(frozen=True)
@@ -65,12 +65,24 @@ def set_upright(axes, axis, has_errors):
     axes.set_yticklabels(names)
 
 
+def ticks_across(lowest, highest, most):
+    """Round times between two, at least three where there are so many, and at most `most`."""
+    decades = range(math.floor(math.log10(lowest)), math.floor(math.log10(highest)) + 1)
+    ticks = []
+    for parts in ((1,), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 6, 8), [1 + k / 10 for k in range(90)]):
+        ticks = [float(f"{part * 10.0**k:.3g}") for k in decades for part in parts if lowest <= part * 10.0**k <= highest]
+        if len(ticks) >= 3:
+            break
+    return ticks[:: math.ceil(len(ticks) / most)] if ticks else []
+
+
 def set_across(axes, times):
     """The axis of run times."""
     span = math.log10(max(times) / min(times))
     margin = max(0.12, 0.1 * span)
     axes.set_xlim(min(times) / 10**margin, max(times) * 10 ** (margin + 0.06 * span))
-    axes.xaxis.set_major_locator(LogLocator(10, (1.0,) if 1.26 * span + 2 * margin > 2.2 else (1.0, 2.0, 5.0)))
+    inches = axes.get_window_extent().width / axes.figure.dpi
+    axes.xaxis.set_major_locator(FixedLocator(ticks_across(*axes.get_xlim(), max(3, int(inches / 0.75)))))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: seconds(value)))
     axes.xaxis.set_minor_formatter(NullFormatter())
 

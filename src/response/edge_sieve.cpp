@@ -105,28 +105,57 @@ void EdgeSieve<D>::sift() {
   } while (fills_ && next_ < size && kChunk - count_ >= kLeastBlock);
 }
 
-/** What becomes of so many edges, at most a chunk: bits alone, as nothing is stored then. */
+/** What becomes of so many edges, at most a chunk: bits alone, as nothing is stored then. Edges with an end that does not move,
+ * or is in doubt, are few: they are looked at apart. */
 template <int D>
 typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t count, bool skips_back) const {
   using Short = ShortEdges<D>;
+  constexpr uint32_t kPlain = Short::kMoves | Short::kSure;
   const BodyEdge* const edges = course_.motion.body->edges.data() + first;
   const uint32_t* const words = short_.words();
-  const uint32_t closed_counts = skips_back ? 1 : 0;
   Sifted sifted;
+  uint64_t shared = 0, inwards = 0, odd = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const BodyEdge& edge = edges[i];
-    if (edge.ends[0] == kNone) continue;
-    const uint32_t a = words[edge.ends[0]], b = words[edge.ends[1]], both = a & b, moves = (a | b) & Short::kMoves;
-    const uint32_t sure = moves & (both / Short::kSure), inside = sure & Short::share_cell(a, b);
-    const uint32_t closed = edge.faces[1] != kNone ? closed_counts : 0;
-    const uint32_t back = sure & (inside ^ 1) & (both / Short::kInwards) & closed;
-    sifted.inside |= uint64_t{inside} << i;
-    sifted.back |= uint64_t{back} << i;
-    sifted.kept |= uint64_t{moves & ((inside | back) ^ 1)} << i;
-    sifted.one_stays |= uint64_t{(inside | back) & ((a ^ b) & Short::kMoves)} << i;
-    sifted.inwards |= uint64_t{inside & closed & ((a | b) / Short::kInwards)} << i;
+    const uint32_t v = edges[i].ends[0];
+    if (v == kNone) continue;
+    const uint32_t a = words[v], b = words[edges[i].ends[1]], both = a & b;
+    shared |= uint64_t{Short::share_cell(a, b)} << i;
+    inwards |= uint64_t{both / Short::kInwards & 1} << i;
+    odd |= uint64_t{(both & kPlain) != kPlain ? 1u : 0u} << i;
+    sifted.kept |= uint64_t{1} << i;
   }
+  sifted.inside = shared & ~odd;
+  if (skips_back) {
+    for (uint64_t rest = inwards & ~shared & ~odd; rest != 0; rest &= rest - 1) {
+      const uint32_t i = lowest_bit(rest);
+      sifted.back |= uint64_t{edges[i].faces[1] != kNone ? 1u : 0u} << i;
+    }
+    for (uint64_t rest = course_.motion.body->skipping.by_environment ? 0 : sifted.inside; rest != 0;
+         rest &= rest - 1) {
+      const uint32_t i = lowest_bit(rest), either = words[edges[i].ends[0]] | words[edges[i].ends[1]];
+      const uint32_t closed = edges[i].faces[1] != kNone ? 1 : 0;
+      sifted.inwards |= uint64_t{closed & either / Short::kInwards} << i;
+    }
+  }
+  sifted.kept &= ~(sifted.inside | sifted.back | odd);
+  for (; odd != 0; odd &= odd - 1) sift_odd(edges[lowest_bit(odd)], uint64_t{1} << lowest_bit(odd), skips_back, sifted);
   return sifted;
+}
+
+/** What becomes of an edge one of whose ends does not move or is in doubt. */
+template <int D>
+void EdgeSieve<D>::sift_odd(const BodyEdge& edge, uint64_t bit, bool skips_back, Sifted& sifted) const {
+  using Short = ShortEdges<D>;
+  const uint32_t a = short_.words()[edge.ends[0]], b = short_.words()[edge.ends[1]], both = a & b;
+  if (((a | b) & Short::kMoves) == 0) return;
+  const bool closed = skips_back && edge.faces[1] != kNone, sure = (both & Short::kSure) != 0;
+  const bool inside = sure && Short::share_cell(a, b) != 0;
+  const bool back = sure && !inside && closed && (both & Short::kInwards) != 0;
+  if (inside) sifted.inside |= bit;
+  if (back) sifted.back |= bit;
+  if (!inside && !back) sifted.kept |= bit;
+  if ((inside || back) && ((a ^ b) & Short::kMoves) != 0) sifted.one_stays |= bit;
+  if (inside && closed && ((a | b) & Short::kInwards) != 0) sifted.inwards |= bit;
 }
 
 /** Counts the tests of the edges that are dropped, and notes which of them are not tested. */

@@ -48,6 +48,7 @@ class EdgeSieve {
   };
   void sift();
   Sifted sift_block(uint32_t first, uint32_t count, bool skips_back) const;
+  void sift_odd(const BodyEdge& edge, uint64_t bit, bool skips_back, Sifted& sifted) const;
   void count_sifted(uint32_t first, const Sifted& block, bool leaves);
   uint32_t skip_inside(uint32_t e);
   void cast_where_they_arrive(const uint32_t* edges, uint32_t count);

@@ -24,6 +24,7 @@ except ImportError as error:
 import make_report
 import read
 import samples
+from scale import ticks_across
 
 EMPTY = {"meta", "br", "hr", "img", "input", "link"}
 
@@ -143,6 +144,15 @@ class Page(unittest.TestCase):
         self.assertEqual(figures["stability.implicit_max_stable_k"], 1e12)
         for key in ("report.points_least", "stability.lost", "stability.extremes_going_on"):
             self.assertIn(f"<code>{key}</code>", self.html)
+
+
+class Ticks(unittest.TestCase):
+    def test_are_few_and_round_however_short_the_axis_is(self):
+        for lowest, highest in ((1e-7, 1e-1), (3e-6, 4e-5), (4.2e-4, 8.3e-4), (2.1e-4, 2.6e-4)):
+            for most in (3, 5, 9):
+                ticks = ticks_across(lowest, highest, most)
+                self.assertTrue(2 <= len(ticks) <= most, (lowest, highest, ticks))
+                self.assertTrue(all(lowest <= tick <= highest and float(f"{tick:.2g}") == tick for tick in ticks), ticks)
 
 
 class Folder(unittest.TestCase):
