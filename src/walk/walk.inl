@@ -488,7 +488,7 @@ DSW_HOT uint8_t facets_outside(const Environment<3>& env, Cell cell, const doubl
   return static_cast<uint8_t>(look.kind() == LookKind::kPlanes ? look.facets() : 0);
 }
 
-/** Of at most kAbreast cells together, if they are of one form that can be looked at so. */
+/** Finds it of at most kAbreast cells together, if they are of one form that can be looked at so. */
 DSW_HOT bool facets_outside_abreast(const Environment<3>& env, const Cell* cells, const double* const* points,
                                     uint32_t count, uint8_t* facets) noexcept {
   const uint32_t word = env.map.record(cells[0])[0];

@@ -1,6 +1,7 @@
 #pragma once
 // Which walk a cast is given.
 
+#include "base/compiler.h"
 #include "walk/walk.h"
 
 namespace dsw {
