@@ -34,9 +34,9 @@ DSW_COLD int kept_side_by_integers(const MovingPair<D>& points) {
 }  // namespace
 
 template <int D>
-FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work) {
+FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work, double until) {
   double time = 0;
-  const Filtered answer = filter_first_touch(pair, &time);
+  const Filtered answer = filter_first_touch(pair, until, &time);
   if (answer == Filtered::kUnknown) return first_touch_by_integers(pair, work);
   return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
 }
@@ -55,8 +55,8 @@ int kept_side(const MovingPair<D>& points) {
   return is_sure ? side : kept_side_by_integers(points);
 }
 
-template FirstTouch first_touch(const MovingPair<2>&, PairWork*);
-template FirstTouch first_touch(const MovingPair<3>&, PairWork*);
+template FirstTouch first_touch(const MovingPair<2>&, PairWork*, double);
+template FirstTouch first_touch(const MovingPair<3>&, PairWork*, double);
 template int compare_first_touches(const MovingPair<2>&, const FirstTouch&, const MovingPair<2>&, const FirstTouch&,
                                    PairWork*);
 template int compare_first_touches(const MovingPair<3>&, const FirstTouch&, const MovingPair<3>&, const FirstTouch&,

@@ -35,8 +35,9 @@ struct PairWork {
 struct WorkOver {};  // thrown if more than `most` is done
 
 // Takes memory only if coordinates of one axis spread over hundreds of bits. Throws std::bad_alloc, and WorkOver if there is `work`.
+// A touch after `until` may be left out, which saves the search for its time.
 template <int D>
-FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work = nullptr);
+FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work = nullptr, double until = 1);
 
 // Sign of a's first time minus b's, exactly. Both touch, as first_touch has said.
 template <int D>

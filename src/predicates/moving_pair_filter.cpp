@@ -54,8 +54,10 @@ class Filter {
     return side;
   }
 
-  Filtered first_touch(double* time) noexcept {
+  Filtered first_touch(double until, double* time) noexcept {
+    constexpr int kHalvingsOfCut = 2;
     if (!find_volume()) return Filtered::kUnknown;
+    if (until < 1) search_.end_at(touch_search::end_after(until), kHalvingsOfCut);
     search_.root_error = kRootError * product_;
     return search_.first_touch([this] { find_conditions(); }, [this](double t) { return volume_at(t); }, time);
   }
@@ -174,10 +176,10 @@ class Filter {
 }  // namespace
 
 template <int D>
-Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept {
+Filtered filter_first_touch(const MovingPair<D>& pair, double until, double* time) noexcept {
   Filter<D> filter(pair);
   if (filter.apart_on_axis()) return Filtered::kApart;
-  return filter.first_touch(time);
+  return filter.first_touch(until, time);
 }
 
 template <int D>
@@ -187,7 +189,7 @@ int filter_kept_side(const MovingPair<D>& points, bool* is_sure) noexcept {
 
 template int filter_kept_side(const MovingPair<2>&, bool*) noexcept;
 template int filter_kept_side(const MovingPair<3>&, bool*) noexcept;
-template Filtered filter_first_touch(const MovingPair<2>&, double*) noexcept;
-template Filtered filter_first_touch(const MovingPair<3>&, double*) noexcept;
+template Filtered filter_first_touch(const MovingPair<2>&, double, double*) noexcept;
+template Filtered filter_first_touch(const MovingPair<3>&, double, double*) noexcept;
 
 }  // namespace dsw

@@ -5,6 +5,7 @@
 // Errors. Let u = 2^-53 and let m_k be the largest component k of the rounded differences, M = mx my mz.
 //   - A determinant of three differences errs by 50u M (filter_bounds.h), the mean of three by 66u M. It is at most 6 M.
 //     A mean of two coefficients adds 6u M. Halving takes three of them in a row, so 24 halvings add 432u M: below 512u M.
+//     To leave out what comes after a time takes three means with other weights, which add 36u M: as much as two halvings.
 //   - An area of two differences errs by 10u mi mj, the mean of two by 12u, the sum of three such by 46u. It is at most
 //     6 mi mj. Halving adds 12u mi mj, so 24 halvings add 288u mi mj: below 512u mi mj. At the root
 //     evaluation adds 60u mi mj, and the step to the next double 24u mi mj: together below 150u mi mj.
@@ -20,9 +21,9 @@
 
 namespace dsw {
 
-// For kTouches, *time is that of FirstTouch.
+// For kTouches, *time is that of FirstTouch. A touch after `until` may be left out.
 template <int D>
-Filtered filter_first_touch(const MovingPair<D>& pair, double* time) noexcept;
+Filtered filter_first_touch(const MovingPair<D>& pair, double until, double* time) noexcept;
 
 // Returns kept_side if *is_sure becomes true. Else returns 0, and integers must decide.
 template <int D>

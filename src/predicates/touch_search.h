@@ -18,6 +18,12 @@ namespace touch_search {
 
 constexpr int kMostHalvings = 24;
 
+// The least time with digits that end at 2^-20 that is after this one; at most 1.
+inline double end_after(double time) noexcept {
+  constexpr double kParts = 0x1p20;
+  return time < 1 - 1 / kParts ? (std::floor(time * kParts) + 1) / kParts : 1;
+}
+
 // Coefficients in the basis of Bernstein.
 template <int N>
 struct Curve {
@@ -98,7 +104,11 @@ class Search {
   double volume_error = 0, condition_error = 0, root_error = 0, most_steps = 3;
 
   // What comes after a time in (0,1] is left out. Its digits end at 2^-20, so that the ends of all halves are exact.
-  void end_at(double time) noexcept { end_ = time; }
+  // It may count as some halvings, for the sake of what it adds to the errors.
+  void end_at(double time, int halvings = 0) noexcept {
+    end_ = time;
+    if (time < 1) whole.halvings = halvings;
+  }
 
   // The volume in whole is known. Calls find_conditions() once before others are read, and volume_at(time), which returns
   // a dd::Number. For kTouches, *time is that of FirstTouch.

@@ -113,7 +113,7 @@ class TurningFilter {
     search_.volume_error = kTurningError * volume_bound_;
     search_.root_error = kTurningRootError * volume_bound_;
     search_.most_steps = kMostRootSteps;
-    search_.end_at(end_after(asked.until));
+    search_.end_at(touch_search::end_after(asked.until));
     return search_.first_touch([this] { find_conditions(); }, [this](double t) { return volume_at(t); }, time);
   }
 
@@ -133,12 +133,6 @@ class TurningFilter {
     *scale = integers::of_bits((std::uint64_t{2046} - (integers::bits_of(most) >> 52)) << 52);
     *largest = *scale * most;
     return true;
-  }
-
-  // A time not before the next double after another one, as the search takes it.
-  static double end_after(double time) noexcept {
-    constexpr double kParts = 0x1p20;
-    return time < 1 - 1 / kParts ? (std::floor(time * kParts) + 1) / kParts : 1;
   }
 
   static void raise(double x, double* bound) noexcept { *bound = std::fabs(x) > *bound ? std::fabs(x) : *bound; }

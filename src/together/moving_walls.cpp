@@ -326,13 +326,15 @@ bool MovingWalls<D>::visit_touches(const Array<Trajectory<D>>& trajectories, Vis
     const Trajectory<D>& of = trajectories[near.trajectory];
     const bool is_new_part = is_new(of, SimplexCorners<D>(*of.motion.body, near.part));
     ++counts.swept;
+    double until = 1;  // nobody asks what a part touches later than something else
     for (uint32_t i = near.first_feature; i < near.feature_end; ++i) {
       WayTouch<D> touch{};
       if (!is_new_part && !held.has_new(features_[i].name.vertices, features_[i].name.count)) continue;
       if (!set_pair(of, near, features_[i], touch) || !boxes_overlap(touch.pair)) continue;
       touch.part = near.part;
-      touch.first = first_touch(touch.pair, work);
-      if (!touch.first.touches || stays_free(touch, features_[i])) continue;
+      touch.first = first_touch(touch.pair, work, until);
+      if (!touch.first.touches || touch.first.time > until || stays_free(touch, features_[i])) continue;
+      until = touch.first.time;
       touch.trajectory = near.trajectory;
       touch.wall = features_[i].name;
       if (!visit(touch)) return false;

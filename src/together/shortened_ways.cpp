@@ -61,7 +61,6 @@ template <int D, class Walls>
 typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Trajectory<D>>& trajectories,
                                                                    const TogetherSettings& settings,
                                                                    bool may_end_at_walls) {
-  const bool leads = settings.response != TogetherResponse::kStop;
   names_.clear();
   watched_.clear();
   cuts_.clear();
@@ -70,7 +69,8 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
   first_time_ = 1;
   for (const Trajectory<D>& of : trajectories) cuts_.emplace_back(of.is_new.size(), Cut{}, env_.memory);
   walls_.held.look_at_all();
-  rows_.start(trajectories, settings.response == TogetherResponse::kCarry);
+  leads_ = settings.response != TogetherResponse::kStop;
+  if (leads_) rows_.start(trajectories, settings.response == TogetherResponse::kCarry);
   for (uint32_t round = 0; round < settings.rounds; ++round) {
     find_touches(trajectories);
     if (touched_.all.empty() && near_.all.empty()) return End::kFree;
@@ -82,7 +82,7 @@ typename ShortenedWays<D, Walls>::End ShortenedWays<D, Walls>::run(Array<Traject
     for (Trajectory<D>& of : trajectories) std::fill(of.is_new.begin(), of.is_new.end(), uint8_t{0});
     walls_.start_round();
     // What is led elsewhere may touch again and again: in the last rounds it stops.
-    const bool may_lead = leads && round < settings.rounds - settings.rounds / 4;
+    const bool may_lead = leads_ && round < settings.rounds - settings.rounds / 4;
     const uint32_t before = group_;
     // What keeps a distance comes too near before it touches.
     take(near_, trajectories, before, round, may_lead);
@@ -236,7 +236,7 @@ void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
         std::copy_n(of.start(v), D, of.goal(v));
       }
       std::copy_n(of.goal(v), D, of.end(v));
-      rows_.keep_goal(trajectories, of, v);
+      if (leads_) rows_.keep_goal(trajectories, of, v);
     }
   }
   const auto is_shortened = [](const Cut& cut) { return cut.is_shortened; };
@@ -249,7 +249,7 @@ void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
     walls_.held.shorten(number, cut.time);
   }
   walls_.finish_round();
-  if (!rows_.empty()) {
+  if (leads_ && !rows_.empty()) {
     rows_.solve(trajectories);
     collect_again(trajectories);
   }

@@ -79,6 +79,7 @@ class ShortenedWays {
   Array<Array<Cut>> cuts_{env_.memory};  // by trajectory and vertex
   Array<Cut> point_cuts_{env_.memory};   // of the environment's points, by the walls' numbers
   TouchRows<D> rows_;
+  bool leads_ = false;  // rows lead what touches elsewhere
   uint32_t group_ = 0;
   double first_time_ = 1;
 };

@@ -13,8 +13,10 @@
 #include "together/wall_ways.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/search.h"
+#include "base/sort.h"
 #include "predicates/filtered.h"
 #include "together/kept_sides.h"
 #include "walk/retreat.h"
@@ -151,11 +153,15 @@ bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit vi
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
     open_.clear();
-    note_vertices(of);
-    const bool is_done = for_each_simplex(*of.motion.body, [&](const Simplex& part) {
+    const auto look_at = [&](const Simplex& part) {
       return part.kind == Simplex::kVertex || is_done_with_edge(of, part) || visit_part(of, t, part, visit);
-    });
-    if (!is_done) return false;
+    };
+    if (note_new_parts(of)) {
+      if (!dsw::all_of(parts_.begin(), parts_.end(), look_at)) return false;
+    } else {
+      note_vertices(of);
+      if (!for_each_simplex(*of.motion.body, look_at)) return false;
+    }
     starts_.look_at(of, t, open_);
     for (const uint32_t e : open_) {
       const Simplex edge{Simplex::kEdge, e};
@@ -167,17 +173,47 @@ bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit vi
   return true;
 }
 
+template <int D>
+void WallWays<D>::note_vertex(const Trajectory<D>& of, uint32_t v) {
+  const VertexWay& way = of.motion.ways[v];
+  vertices_[v] = static_cast<uint8_t>((of.is_new[v] != 0 ? kNew : 0) | (of.moves(v) ? kMoves : 0) |
+                                      (way.from != way.arrival ? kLeaves : 0));
+}
+
 /** Notes of each vertex what is asked for all edges at it. */
 template <int D>
 void WallWays<D>::note_vertices(const Trajectory<D>& of) {
   const size_t count = of.motion.ways.size();
-  vertices_.assign(count, 0);
+  vertices_.resize(count);
   for (uint32_t v = 0; v < count; ++v) {
-    if (!of.motion.body->has_vertex(v)) continue;
-    const VertexWay& way = of.motion.ways[v];
-    vertices_[v] = static_cast<uint8_t>((of.is_new[v] != 0 ? kNew : 0) | (of.moves(v) ? kMoves : 0) |
-                                        (way.from != way.arrival ? kLeaves : 0));
+    if (of.motion.body->has_vertex(v)) note_vertex(of, v);
   }
+}
+
+/** Where few vertices are new, as in all rounds but the first, notes the edges and faces at them, in their order, and the
+ * vertices of these. False: there are many. */
+template <int D>
+bool WallWays<D>::note_new_parts(const Trajectory<D>& of) {
+  constexpr size_t kFew = 8;  // of so many vertices one is new at most
+  const Body<D>& body = *of.motion.body;
+  const auto count = static_cast<size_t>(std::count(of.is_new.begin(), of.is_new.end(), uint8_t{1}));
+  if (count * kFew > of.is_new.size()) return false;
+  parts_.clear();
+  vertices_.resize(of.is_new.size());
+  for (uint32_t v = 0; v < of.is_new.size(); ++v) {
+    if (of.is_new[v] == 0 || !body.has_vertex(v)) continue;
+    for_each_simplex_at(body, v, [&](const Simplex& part) {
+      if (part.kind == Simplex::kVertex) return true;
+      parts_.push_back(part);
+      for (const uint32_t corner : SimplexCorners<D>(body, part)) note_vertex(of, corner);
+      return true;
+    });
+  }
+  const auto name = [](const Simplex& part) { return std::make_pair(part.kind, part.index); };
+  dsw::sort(parts_.begin(), parts_.end(), [&](const Simplex& a, const Simplex& b) { return name(a) < name(b); });
+  const auto is_same = [&](const Simplex& a, const Simplex& b) { return name(a) == name(b); };
+  parts_.erase(std::unique(parts_.begin(), parts_.end(), is_same), parts_.end());
+  return true;
 }
 
 /** Whether a part is an edge that need not be looked at, or that stays in one convex cell, as most do. */
@@ -242,17 +278,18 @@ template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
   const SimplexCorners<D> corners(*of.motion.body, part);
-  if (!is_new(of, corners)) return true;
-  if (dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
+  const bool is_edge = part.kind == Simplex::kEdge;  // then is_done_with_edge has asked
+  if (!is_edge && !is_new(of, corners)) return true;
+  if (!is_edge && dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
-  if (stays_in_cell(of, corners)) {
+  if (!is_edge && stays_in_cell(of, corners)) {
     ++counts.skipped;
     return true;
   }
   double limit = 1;
   for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
   if (!(limit > 0)) return true;
-  const bool is_edge = part.kind == Simplex::kEdge, has_corridor = is_edge && of.motion.body->keeps_corridors();
+  const bool has_corridor = is_edge && of.motion.body->keeps_corridors();
   if (is_edge && !has_corridor && limit == 1 &&
       corridors_.keeps_to_facet({way_of(of, corners.vertices[0]), way_of(of, corners.vertices[1])})) {
     ++counts.skipped;
@@ -315,6 +352,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
   };
   WayTouch<D> touch = way.touch();
   const uint32_t first = PartWay::first_corner(touch);
+  double until = way.limit;  // nobody asks what a part touches later than something else
   for (const Candidate& feature : near) {
     for (uint32_t k = 0; k < feature.name.count; ++k) {
       const uint32_t at = (first == 0 ? count : 0) + k;
@@ -327,8 +365,10 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
     WayTouch<D> found = touch;
     found.wall = feature.name;
     for (uint32_t k = 0; k < count; ++k) found.pair.end[first + k] = way.of.end(way.corners.vertices[k]);
-    found.first = first_touch(found.pair, work);
-    if (found.first.touches && found.first.time <= way.limit && !visit(found)) return false;
+    found.first = first_touch(found.pair, work, until);
+    if (!found.first.touches || found.first.time > until) continue;
+    until = found.first.time;
+    if (!visit(found)) return false;
   }
   return true;
 }

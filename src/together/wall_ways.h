@@ -70,7 +70,9 @@ class WallWays {
   template <class Visit>
   bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
+  void note_vertex(const Trajectory<D>& of, uint32_t v);
   void note_vertices(const Trajectory<D>& of);
+  bool note_new_parts(const Trajectory<D>& of);
   bool is_done_with_edge(const Trajectory<D>& of, const Simplex& part);
   static PointWay way_of(const Trajectory<D>& of, uint32_t v);
   bool stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept;
@@ -92,6 +94,7 @@ class WallWays {
   Array<WayTouch<D>> blocked_{env_.memory};  // what paths of vertices touch
   static constexpr uint32_t kNew = 1, kMoves = 2, kLeaves = 4;
   Array<uint8_t> vertices_{env_.memory};   // of one trajectory: these bits
+  Array<Simplex> parts_{env_.memory};      // of one trajectory: those at new vertices
   Array<uint32_t> open_{env_.memory};      // edges of one trajectory whose corridors have to be found
   Array<uint8_t> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
 };

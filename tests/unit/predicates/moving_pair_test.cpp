@@ -109,7 +109,14 @@ class MovingPairTest : public testing::TestWithParam<Asked> {
     Differences differences;
     for (std::uint64_t i = 0; i < cases_; ++i) {
       const MovingCase<D> c = next();
-      differences.add(first_touch(c.pair()), true_first_touch(c.pair()), c.text());
+      const FirstTouch truth = true_first_touch(c.pair());
+      differences.add(first_touch(c.pair()), truth, c.text());
+      for (const double until : {truth.time, 0.75 * truth.time, std::fabs(random_.uniform())}) {
+        const FirstTouch asked = first_touch(c.pair(), nullptr, until);
+        // A touch up to that time is found, and a later one may be left out.
+        ASSERT_TRUE(asked.touches ? truth.touches : !truth.touches || truth.time > until) << until << c.text();
+        ASSERT_TRUE(!asked.touches || asked.time == truth.time) << until << c.text();
+      }
     }
     differences.expect_none();
     if (is_made_to_touch(GetParam().family)) {
