@@ -34,7 +34,7 @@ typedef enum dsw_together_stop {
 } dsw_together_stop;
 
 /** What vertices of bodies do that touch, with DSW_TOGETHER_STOP_FEATURE. All still goes straight and
- * steadily, to other ends. */
+ * steadily, to other ends. None inserts vertices, as the adaptive ones of move.h do. */
 typedef enum dsw_together_response {
   DSW_TOGETHER_RESPONSE_STOP = 0, /**< They stop. */
   /** Without friction: they end as near to their targets as all touches allow, by the sum of
