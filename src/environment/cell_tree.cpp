@@ -162,9 +162,34 @@ void CellTree<D>::arrange(const Environment<D>& env, const Parallel& parallel) {
   keep_neighbours(parallel, keys);
   group_others(env, parallel, keys);
   // Groups of cells that were sorted follow the curve.
-  if (keys.loose.size() != order_.size()) sort_along_curve<D>(keys.groups, parallel);
-  for (size_t i = 0; i < order_.size(); ++i) order_[i] = Curve<D>::item(keys.groups[i]);
+  if (keys.loose.size() != leaf_groups()) {
+    sort_along_curve<D>(keys.groups, parallel);
+    put_in_order(keys);
+  }
   fit_upper(parallel);
+}
+
+/** Moves each group of level 0 to its place along the curve, round by round. */
+template <int D>
+void CellTree<D>::put_in_order(Keys& keys) noexcept {
+  const auto from = [&](size_t place) { return size_t{Curve<D>::item(keys.groups[place])}; };
+  for (size_t first = 0; first < keys.groups.size(); ++first) {
+    if (from(first) == first || kWidth * (first + 1) > cells_.size()) continue;
+    const Group group = groups_[first];
+    uint32_t cells[kWidth];
+    std::copy_n(&cells_[kWidth * first], kWidth, cells);
+    size_t place = first;
+    while (from(place) != first) {
+      const size_t next = from(place);
+      groups_[place] = groups_[next];
+      std::copy_n(&cells_[kWidth * next], kWidth, &cells_[kWidth * place]);
+      keys.groups[place] = place;
+      place = next;
+    }
+    groups_[place] = group;
+    std::copy_n(cells, kWidth, &cells_[kWidth * place]);
+    keys.groups[place] = place;
+  }
 }
 
 /** Room for the groups of all levels. */
@@ -178,7 +203,6 @@ void CellTree<D>::set_levels() {
     groups += boxes;
   } while (boxes > 1);
   groups_.resize(groups);
-  order_.resize((cells_.size() + kWidth - 1) / kWidth);
 }
 
 /** Makes groups of eight cells that follow each other. A group is kept where its box is no larger than those of its cells
@@ -186,8 +210,8 @@ void CellTree<D>::set_levels() {
  * near, which they are for few cells: all of them are sorted. */
 template <int D>
 void CellTree<D>::group_neighbours(const Environment<D>& env, const Parallel& parallel, Keys& keys) {
-  keys.groups.resize(order_.size());
-  for_groups(parallel, order_.size(), [&](size_t g) {
+  keys.groups.resize(leaf_groups());
+  for_groups(parallel, leaf_groups(), [&](size_t g) {
     fit_group(env, g);
     const Group& group = groups_[g];
     const Hull hull(group);
@@ -201,7 +225,7 @@ void CellTree<D>::group_neighbours(const Environment<D>& env, const Parallel& pa
     const bool is_kept = content_ == BoxOf::kCell && kWidth * (g + 1) <= cells_.size() && whole <= sum;
     keys.groups[g] = is_kept ? keys.key(hull.lower, hull.upper, 0) : Keys::kLoose;
   });
-  for (size_t g = 0; g < order_.size(); ++g) {
+  for (size_t g = 0; g < leaf_groups(); ++g) {
     if (keys.groups[g] == Keys::kLoose) keys.loose.push_back(static_cast<uint32_t>(g));
   }
 }
@@ -209,7 +233,7 @@ void CellTree<D>::group_neighbours(const Environment<D>& env, const Parallel& pa
 /** Puts the groups that are kept side by side; the cells of the rest go to keys.others. */
 template <int D>
 void CellTree<D>::keep_neighbours(const Parallel& parallel, Keys& keys) {
-  const size_t kept = order_.size() - keys.loose.size();
+  const size_t kept = leaf_groups() - keys.loose.size();
   keys.others.resize(cells_.size() - kWidth * kept);
   for_groups(parallel, keys.loose.size(), [&](size_t i) {
     const size_t first = kWidth * size_t{keys.loose[i]};
@@ -224,7 +248,7 @@ void CellTree<D>::keep_neighbours(const Parallel& parallel, Keys& keys) {
     }
   });
   size_t to = 0;
-  for (size_t g = 0; g < order_.size(); ++g) {
+  for (size_t g = 0; g < leaf_groups(); ++g) {
     if (keys.groups[g] == Keys::kLoose) continue;
     if (to != g) {
       groups_[to] = groups_[g];
@@ -238,21 +262,24 @@ void CellTree<D>::keep_neighbours(const Parallel& parallel, Keys& keys) {
 /** Sorts the other cells along the curve, and makes groups of them. */
 template <int D>
 void CellTree<D>::group_others(const Environment<D>& env, const Parallel& parallel, Keys& keys) {
-  const size_t kept = order_.size() - keys.loose.size();
+  const size_t kept = leaf_groups() - keys.loose.size();
   sort_along_curve<D>(keys.others, parallel);
   for (size_t i = 0; i < keys.others.size(); ++i) cells_[kWidth * kept + i] = Curve<D>::item(keys.others[i]);
   for_groups(parallel, keys.loose.size(), [&](size_t i) {
     const size_t g = kept + i;
     fit_group(env, g);
     const Hull hull(groups_[g]);
-    keys.groups[g] = keys.key(hull.lower, hull.upper, static_cast<uint32_t>(g));
+    // A group of fewer cells stays the last.
+    const bool is_full = kWidth * (g + 1) <= cells_.size();
+    keys.groups[g] =
+        is_full ? keys.key(hull.lower, hull.upper, static_cast<uint32_t>(g)) : Keys::kLoose << kCurveItemBits | g;
   });
 }
 
 template <int D>
 void CellTree<D>::fit(const Environment<D>& env, const Parallel& parallel) noexcept {
   set_frame(env);
-  for_groups(parallel, order_.size(), [&](size_t g) { fit_group(env, g); });
+  for_groups(parallel, leaf_groups(), [&](size_t g) { fit_group(env, g); });
   fit_upper(parallel);
 }
 
@@ -286,7 +313,7 @@ void CellTree<D>::fit_upper(const Parallel& parallel) noexcept {
       to = nothing();
       for (uint32_t i = 0; i < kWidth && kWidth * g + i < parts; ++i) {
         const size_t part = kWidth * g + i;
-        const Hull hull(groups_[level == 1 ? order_[part] : below + part]);
+        const Hull hull(groups_[below + part]);
         for (int k = 0; k < D; ++k) {
           to.lower[k][i] = hull.lower[k];
           to.upper[k][i] = hull.upper[k];

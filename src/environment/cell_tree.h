@@ -28,11 +28,7 @@ template <int D>
 class CellTree {
  public:
   explicit CellTree(const Memory* memory, BoxOf content = BoxOf::kCell)
-      : cells_(Allocator<uint32_t>(memory)),
-        order_(Allocator<uint32_t>(memory)),
-        groups_(Allocator<Group>(memory)),
-        content_(content),
-        memory_(memory) {}
+      : cells_(Allocator<uint32_t>(memory)), groups_(Allocator<Group>(memory)), content_(content), memory_(memory) {}
 
   /** Sorts the cells that there are and fits their boxes. Throws std::bad_alloc. O(cells), shared out. */
   void build(const Environment<D>& env, const Parallel& parallel);
@@ -91,9 +87,9 @@ class CellTree {
     visit_nearest_first<kMostLevels>(
         level_count_, limit_of(reach),
         [&](uint32_t level, uint32_t group, float* distances) {
-          measure(groups_[level == 0 ? order_[group] : level_first_[level] + group], at, weights, distances);
+          measure(groups_[level_first_[level] + group], at, weights, distances);
         },
-        [&](uint32_t box, float) { return limit_of(look(cells_[kWidth * order_[box / kWidth] + box % kWidth])); });
+        [&](uint32_t box, float) { return limit_of(look(cells_[box])); });
     return true;
   }
   const Array<uint32_t>& cells() const noexcept { return cells_; }
@@ -104,9 +100,7 @@ class CellTree {
     return std::sqrt(square);
   }
   size_t cell_count() const noexcept { return cells_.size(); }
-  uint64_t memory_bytes() const noexcept {
-    return sizeof *this + array_bytes(cells_) + array_bytes(order_) + array_bytes(groups_);
-  }
+  uint64_t memory_bytes() const noexcept { return sizeof *this + array_bytes(cells_) + array_bytes(groups_); }
 
   std::atomic<uint64_t> version{0};       // of the points that the boxes are fitted to
   mutable std::atomic<uint64_t> wear{0};  // cells looked at because they are not in the tree
@@ -158,7 +152,7 @@ class CellTree {
   template <class Look>
   bool descend(const int16_t* from, const int16_t* to, Look&& look) const {
     struct Node {
-      uint32_t level, group;  // below level 1 as it lies in memory
+      uint32_t level, group;
     } nodes[kWidth * kMostLevels];
     uint32_t count = 0;
     if (cells_.empty()) return true;
@@ -169,9 +163,8 @@ class CellTree {
       for (; held != 0; held &= held - 1) {
         const uint32_t box = node.group * kWidth + lowest_bit(held);
         if (node.level != 0) {
-          const uint32_t child = node.level == 1 ? order_[box] : box;
-          prefetch_line(&groups_[level_first_[node.level - 1] + child]);
-          nodes[count++] = {node.level - 1, child};
+          prefetch_line(&groups_[level_first_[node.level - 1] + box]);
+          nodes[count++] = {node.level - 1, box};
         } else if (!look(cells_[box])) {
           return false;
         }
@@ -214,9 +207,10 @@ class CellTree {
   void group_others(const Environment<D>& env, const Parallel& parallel, Keys& keys);
   void fit_group(const Environment<D>& env, size_t group) noexcept;
   void fit_upper(const Parallel& parallel) noexcept;
+  void put_in_order(Keys& keys) noexcept;
+  size_t leaf_groups() const noexcept { return (cells_.size() + kWidth - 1) / kWidth; }
 
   Array<uint32_t> cells_;  // indices: those of group g of level 0 begin at 8 g
-  Array<uint32_t> order_;  // groups of level 0 along the curve
   Array<Group> groups_;    // of cells, of groups of cells, and so on; the last one is alone
   uint32_t level_first_[kMostLevels] = {};
   uint32_t level_count_ = 0;
