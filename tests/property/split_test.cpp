@@ -3,6 +3,8 @@
 // where points lie and casts end follows from voxels and from rational turns.
 #include "split_support.h"
 
+#include <algorithm>
+
 namespace dsw {
 namespace {
 
@@ -207,7 +209,7 @@ Voxels random_voxels(int side, size_t most, std::mt19937_64& random) {
 
 TEST(SplitTest, CellsOfVoxelsAreWhatTheyWere) {
   uint32_t split = 0, added = 0;
-  for (int round = 0; round < effort_of(30); ++round) {
+  for (int round = 0; round < std::max(effort_of(30), 4); ++round) {
     std::mt19937_64 random(seed_of(500 + static_cast<unsigned>(round)));
     const int side = 4;
     const Voxels voxels = random_voxels(side, 2 + static_cast<size_t>(round % 8), random);

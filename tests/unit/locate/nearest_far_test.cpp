@@ -98,7 +98,8 @@ void agrees(Mesh& mesh, uint64_t seed, int marks, Tally& tally) {
   mark_some(*env, random, marks, true);
   env->obstacles.build(*env);
   for (int round = 0; round < 8; ++round) {
-    ASSERT_NO_FATAL_FAILURE(ask_everywhere(*env, random, 60, tally)) << "seed " << seed << " round " << round;
+    ASSERT_NO_FATAL_FAILURE(ask_everywhere(*env, random, std::clamp(effort_of(60), 20, 60), tally))
+        << "seed " << seed << " round " << round;
     mark_some(*env, random, 1 + marks / 4, round % 2 == 0);
     ASSERT_NO_FATAL_FAILURE(expect_every_obstacle_known(*env)) << "seed " << seed << " round " << round;
   }
