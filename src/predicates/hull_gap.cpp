@@ -244,6 +244,27 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
 }
 
 template <int D>
+bool are_surely_apart(const ConvexHull& a, const ConvexHull& b) noexcept {
+  constexpr int kMostSteps = 6;
+  const HullPair<D> pair(a, b);
+  if (!pair.is_finite()) return false;
+  Simplex simplex;
+  simplex.corners[0] = pair.corner(0, 0);
+  simplex.nearest = simplex.corners[0].at;
+  simplex.count = 1;
+  double distance = length(simplex.nearest);
+  for (int step = 0; step < kMostSteps && distance > 0; ++step) {
+    if (pair.bound_in(simplex.nearest) > 0) return true;
+    simplex.corners[simplex.count++] = pair.support(simplex.nearest);
+    if (reduce(simplex) != Origin::kOutside) return false;
+    const double nearer = length(simplex.nearest);
+    if (!(nearer < distance)) return false;
+    distance = nearer;
+  }
+  return false;
+}
+
+template <int D>
 GapAtEnds find_gap_at_ends(const ConvexHull (&start)[2], const ConvexHull (&end)[2]) noexcept {
   const HullPair<D> first(start[0], start[1]), last(end[0], end[1]);
   if (!first.is_finite() || !last.is_finite()) return {};
@@ -302,6 +323,7 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
 template class HullPair<2>;
 template class HullPair<3>;
 DSW_INSTANTIATE(find_gap);
+DSW_INSTANTIATE(are_surely_apart);
 DSW_INSTANTIATE(find_gap_at_ends);
 DSW_INSTANTIATE(time_apart);
 

@@ -35,6 +35,10 @@ bool are_far_apart(const ConvexHull& a, const ConvexHull& b, double distance) no
   return find_gap<D>(a, b, distance, distance).bound >= distance;
 }
 
+/** Whether a few directions in doubles show that two hulls do not meet. Where they are close to each other it mostly says no. */
+template <int D>
+bool are_surely_apart(const ConvexHull& a, const ConvexHull& b) noexcept;
+
 /** What one direction shows of the distances of two hulls at both ends of their ways: the one that shows most at the start. Each is
  * not more than the distance, and at the start less by 2^-48 of it and 2^-69 of the size at most. */
 struct GapAtEnds {
