@@ -100,6 +100,18 @@ TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
   }
 }
 
+TEST_P(HullGapTest, WhatMeetsIsNeverSurelyApart) {
+  int apart = 0;
+  for (int i = 0; i < at_least(400); ++i) {
+    Points a, b;
+    draw(4, a, b);
+    const bool is_apart = are_surely_apart<3>(hull_of(a), hull_of(b));
+    ASSERT_TRUE(!is_apart || square_of_distance(a, b) > 0) << i;
+    apart += is_apart ? 1 : 0;
+  }
+  EXPECT_GT(apart, 0);
+}
+
 TEST_P(HullGapTest, BoundsTheDistancesAtBothEndsOfAWay) {
   for (int i = 0; i < at_least(400); ++i) {
     Points a, b;
