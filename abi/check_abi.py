@@ -4,6 +4,7 @@
 usage: check_abi.py symbols LIBRARY        exported names = names declared in the headers, all of the last release among them
        check_abi.py needed LIBRARY [NAME]  nothing beyond the C and C++ runtimes, and NAME if the build asked for it,
                                            is needed; SONAME and symbol version follow VERSION
+       check_abi.py size LIBRARY MOST      without symbols the library has at most so many bytes
        check_abi.py abidiff C++_COMPILER   types and signatures that the headers declare against the last release
        check_abi.py source                 the headers declare what those of the last release do, word for word
        check_abi.py layout                 every public struct and member stands in layout.c
@@ -211,6 +212,15 @@ def check_needed(library, optional=None):
     return problems
 
 
+def check_size(library, most):
+    with tempfile.TemporaryDirectory() as folder:
+        stripped = pathlib.Path(folder) / "library.so"
+        run("strip", "-o", stripped, library)
+        size = stripped.stat().st_size
+    print(f"{size} bytes without symbols, of {most} at most")
+    return [f"the library has {size} bytes without symbols, {size - int(most)} too many"] if size > int(most) else []
+
+
 def check_abidiff(compiler):
     with tempfile.TemporaryDirectory() as folder:
         describe(compiler, f"{folder}/libdartsweep.so")
@@ -402,7 +412,7 @@ def write_map():
     return []
 
 
-COMMANDS = {"symbols": check_symbols, "needed": check_needed, "abidiff": check_abidiff, "source": check_source,
+COMMANDS = {"symbols": check_symbols, "needed": check_needed, "size": check_size, "abidiff": check_abidiff, "source": check_source,
             "layout": check_layout, "structs": check_structs, "calls": check_calls, "versions": check_versions, "refused": check_refused,
             "too_old": check_too_old, "map": write_map, "describe": describe, "names": print_names, "next-version": next_version}
 

@@ -107,6 +107,7 @@ list(APPEND dsw_sources
   walk/short_way.cpp
   walk/walk_avx2.cpp
   walk/walk_avx512.cpp
+  walk/walk_counted.cpp
   walk/walk_portable.cpp
 )
 

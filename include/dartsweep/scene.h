@@ -16,7 +16,7 @@ typedef struct dsw_scene dsw_scene;
 
 /** Features of a scene. */
 enum {
-  /** Counts: see dsw_statistics. Moves of particles take about a sixth longer. */
+  /** Counts: see dsw_statistics. Moves of particles take about a third longer. */
   DSW_FEATURE_STATISTICS = 0x1,
   /** Moves record crossings: dsw_scene_get_crossings. */
   DSW_FEATURE_CROSSINGS = 0x2,

@@ -60,10 +60,6 @@ void* allocate_elements(const Memory* memory, size_t count, size_t element_bytes
   return allocate_bytes(memory, bytes, block_alignment(bytes));
 }
 
-void release_elements(const Memory* memory, void* block, size_t bytes) noexcept {
-  release_bytes(memory, block, bytes, block_alignment(bytes));
-}
-
 size_t grown_room(size_t size, size_t more, size_t element_bytes) {
   const size_t most = static_cast<size_t>(PTRDIFF_MAX) / element_bytes;
   if (more > most - size) throw std::bad_alloc();
@@ -71,10 +67,14 @@ size_t grown_room(size_t size, size_t more, size_t element_bytes) {
   return room < most ? room : most;
 }
 
+void ByteArray::release_block() noexcept {
+  if (first_ != nullptr) release_bytes(memory_, first_, room_bytes(), block_alignment(room_bytes()));
+}
+
 void ByteArray::move_bytes(size_t room, size_t kept_bytes, size_t element_bytes) {
   auto* const block = static_cast<char*>(allocate_elements(memory_, room, element_bytes));
   if (kept_bytes != 0) std::memcpy(block, first_, kept_bytes);
-  if (first_ != nullptr) release_elements(memory_, first_, room_bytes());
+  release_block();
   first_ = block;
   last_ = block + kept_bytes;
   room_ = block + room * element_bytes;

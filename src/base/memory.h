@@ -68,7 +68,6 @@ struct Allocator {
 
 /** Memory for `count` elements. Throws std::bad_alloc. */
 void* allocate_elements(const Memory* memory, size_t count, size_t element_bytes);
-void release_elements(const Memory* memory, void* block, size_t bytes) noexcept;
 /** The room of an array of `size` elements that grows by `more`: at least twice as much. Throws std::bad_alloc. */
 size_t grown_room(size_t size, size_t more, size_t element_bytes);
 
@@ -84,6 +83,8 @@ class ByteArray {
 
   size_t size_bytes() const { return static_cast<size_t>(static_cast<char*>(last_) - static_cast<char*>(first_)); }
   size_t room_bytes() const { return static_cast<size_t>(static_cast<char*>(room_) - static_cast<char*>(first_)); }
+  /** Gives the block back, if there is one, and points to it still. A call takes half the code of what it does. */
+  void release_block() noexcept;
   /** Moves to a block of so many elements, with the first `kept_bytes`. */
   void move_bytes(size_t room, size_t kept_bytes, size_t element_bytes);
   /** Makes room for `more` elements. */
@@ -301,8 +302,8 @@ class Array : private ByteArray {
     }
   }
   void drop() {
-    destroy_from(begin());
-    if (first_ != nullptr) release_elements(memory_, first_, room_bytes());
+    if constexpr (!std::is_trivially_destructible_v<T>) destroy_from(begin());
+    release_block();
   }
   /** The end of what has been moved. */
   static T* move_down(T* to, T* first, T* last) {
@@ -331,7 +332,7 @@ class Array : private ByteArray {
       move_elements(room);
     }
   }
-  DSW_NOINLINE void move_elements(size_t room) {
+  DSW_COLD void move_elements(size_t room) {
     static_assert(std::is_nothrow_move_constructible_v<T>, "an array that can't grow stays as it was");
     const size_t count = size();
     T* const block = static_cast<T*>(allocate_elements(memory_, room, sizeof(T)));
@@ -348,7 +349,7 @@ class Array : private ByteArray {
       return push_moved(std::move(value));
     }
   }
-  DSW_NOINLINE T& push_moved(T&& value) {
+  DSW_COLD T& push_moved(T&& value) {
     move_elements(grown_room(size(), 1, sizeof(T)));
     T* const place = ::new (last_) T(std::move(value));
     last_ = place + 1;

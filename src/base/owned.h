@@ -12,16 +12,14 @@ class Owned {
  public:
   explicit Owned(const Memory* memory) : memory_(memory) {}
   ~Owned() {
-    if (object_ == nullptr) return;
-    object_->~T();
-    release_bytes(memory_, object_, sizeof(T), alignof(T));
+    if (object_ != nullptr) destroy();
   }
   Owned(const Owned&) = delete;
   Owned& operator=(const Owned&) = delete;
 
   /** Where there is none yet. */
   template <class... Arguments>
-  void make(Arguments&&... arguments) {
+  DSW_COLD void make(Arguments&&... arguments) {
     void* const block = allocate_bytes(memory_, sizeof(T), alignof(T));
     try {
       object_ = new (block) T(std::forward<Arguments>(arguments)...);
@@ -35,6 +33,11 @@ class Owned {
   T* release() noexcept { return std::exchange(object_, nullptr); }
 
  private:
+  DSW_COLD void destroy() noexcept {
+    object_->~T();
+    release_bytes(memory_, object_, sizeof(T), alignof(T));
+  }
+
   const Memory* memory_;
   T* object_ = nullptr;
 };

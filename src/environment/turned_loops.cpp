@@ -9,20 +9,20 @@ namespace dsw {
 namespace {
 
 /** An edge as one loop runs along it. */
-struct Side {
+struct LoopSide {
   uint16_t low, high;
   uint32_t loop;
   bool is_forward;  // from `low` to `high`
 
-  bool operator<(const Side& o) const {
+  bool operator<(const LoopSide& o) const {
     if (low != o.low) return low < o.low;
     return high != o.high ? high < o.high : loop < o.loop;
   }
-  bool has_edge_of(const Side& o) const { return low == o.low && high == o.high; }
+  bool has_edge_of(const LoopSide& o) const { return low == o.low && high == o.high; }
 };
 
-std::vector<Side> sides_of(const std::vector<uint16_t>& vertices, const std::vector<uint16_t>& first) {
-  std::vector<Side> sides;
+std::vector<LoopSide> sides_of(const std::vector<uint16_t>& vertices, const std::vector<uint16_t>& first) {
+  std::vector<LoopSide> sides;
   for (uint32_t f = 0; f + 1 < first.size(); ++f) {
     for (uint32_t k = first[f]; k < first[f + 1]; ++k) {
       const uint16_t u = vertices[k], v = vertices[k + 1 == first[f + 1] ? first[f] : k + 1];
@@ -41,7 +41,7 @@ struct Link {
 };
 
 /** Empty where an edge has not two loops. */
-std::vector<Link> links_of(const std::vector<Side>& sides) {
+std::vector<Link> links_of(const std::vector<LoopSide>& sides) {
   std::vector<Link> links;
   for (size_t i = 0; i < sides.size(); i += 2) {
     const bool is_pair = i + 1 < sides.size() && sides[i].has_edge_of(sides[i + 1]);

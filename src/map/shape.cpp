@@ -147,7 +147,7 @@ struct StandardTables {
     return form == Form::kSimplex ? 0u : form == Form::kPyramid ? 1u : form == Form::kPrism ? 3u : 11u;
   }
 
-  StandardTables() {
+  DSW_COLD StandardTables() {
     add(Form::kSimplex, 4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}});
     add(Form::kPyramid, 5, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
     add(Form::kPrism, 6, {{0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}});

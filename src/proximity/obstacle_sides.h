@@ -51,7 +51,7 @@ class ObstacleSides {
   }
 
   /** Beyond which ends all points are that are within `room` of a point. */
-  uint32_t beyond(const double* point, double room) const noexcept {
+  DSW_HOT uint32_t beyond(const double* point, double room) const noexcept {
     uint32_t bits = 0;
     double size = extent_;
     Vec at = Vec::Zero();

@@ -14,7 +14,7 @@ namespace dsw {
 namespace {
 
 constexpr int kSix = 6, kMostPlanes = 12, kMostSteps = 64;
-constexpr double kSlack = 0x1p-40, kDependent = 0x1p-30, kLeast = 0x1p-16;
+constexpr double kSlack = 0x1p-40, kDependent = 0x1p-30, kLeastPart = 0x1p-16;
 
 struct HalfSpace6 {
   double a[kSix];  // a y >= least
@@ -267,7 +267,7 @@ bool TouchedPlanes<D>::allow(const Inertia<D>& inertia, const Twist& wanted, dou
     allowed->shift = Vec(y[0], y[1], y[2]) * inertia.size;
     if (D == 2) allowed->shift[2] = 0;
     bend = 0.5 * dot(allowed->turn, allowed->turn);
-    if (round == 1 || (bend == 0 && !any_moves)) return dot6(y, y) > kLeast * kLeast * whole;
+    if (round == 1 || (bend == 0 && !any_moves)) return dot6(y, y) > kLeastPart * kLeastPart * whole;
   }
   return false;
 }

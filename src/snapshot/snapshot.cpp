@@ -66,7 +66,6 @@ const BlockKind& kind_of(const Environment<D>& env) {
   return !env.exits.empty() ? kKind<D> : !env.parents.empty() ? kSplitKind<D> : kUnsplitKind<D>;
 }
 constexpr uint32_t kHasTree = 1, kHasChanged = 2, kPointsMove = 4;
-constexpr uint64_t kMostUnits = uint64_t{1} << 28;
 
 constexpr uint64_t vertex_mark_words(uint64_t vertices) { return (vertices + 63) / 64; }
 

@@ -10,8 +10,6 @@
 namespace dsw {
 namespace {
 
-constexpr uint64_t kMostUnits = uint64_t{1} << 28;
-
 /** Shapes of polyhedra, each once. */
 class SharedShapes {
  public:

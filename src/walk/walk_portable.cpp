@@ -7,15 +7,6 @@ namespace portable {
 #include "walk/walk.inl"
 }  // namespace portable
 
-template <int D>
-void walk_counted(const Environment<D>& env, const CastRequest* requests, uint32_t count, CastResult* results,
-                  CastCounters* counters) noexcept {
-  portable::Walkers<D, CountAll>(env, requests, results, {counters}).run(count);
-  counters->casts += count;
-  for (uint32_t i = 0; i < count; ++i) counters->volumes_visited += results[i].volumes_visited;
-}
-DSW_INSTANTIATE(walk_counted);
-
 constexpr Walk<2> kPlaneWalk = portable::kThisWalk<2>;
 constexpr Walk<3> kPortableWalk = portable::kThisWalk<3>;
 

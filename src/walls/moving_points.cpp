@@ -50,7 +50,8 @@ void MovingPoints<D>::touch(uint32_t v, double fraction) {
   const double* const target = way_.next(v);
   if (!is_finite<D>(target)) fail_non_finite({way_.nexts(), D}, v, D, {"next", true});
   reserve_more(touched_, 1);
-  targets_.insert(targets_.end(), target, target + D);
+  reserve_more(targets_, D);
+  for (int k = 0; k < D; ++k) targets_.push_back(target[k]);
   place_[v] = static_cast<uint32_t>(touched_.size());
   touched_.push_back(v);
   double position[D];
