@@ -104,8 +104,13 @@ void ShortenedWays<D, Walls>::take(Found<Touch>& found, Array<Trajectory<D>>& tr
     for (size_t i = first; i < end; ++i) {
       bool is_changed = false;
       for_each_cut(trajectories, found.all[i], [&](const Cut& cut) { is_changed = is_changed || cut.group > before; });
-      // What is passed over is looked at again, as one of its vertices has a new goal.
-      if (!is_changed) found.chosen.push_back(found.all[i]);
+      if (!is_changed) {
+        found.chosen.push_back(found.all[i]);
+        continue;
+      }
+      // What is passed over is looked at again: one of its vertices has a new goal. Its parts may touch something else later, which
+      // was not told, and which has no new goal itself.
+      for_each_touching(trajectories, found.all[i], [](Trajectory<D>& of, uint32_t v) { of.is_new[v] = 1; });
     }
     describe_chosen(found, trajectories);
     ++group_;
