@@ -58,7 +58,8 @@ typedef enum dsw_kernel {
 /** Describes a context. */
 typedef struct dsw_context_desc {
   uint32_t struct_size;
-  /** Threads of the built-in parallel-for: 1 .. 256; 0: one per processor. */
+  /** Threads of the built-in parallel-for: 1 .. 256; 0: one per processor. Large
+   * environments are created with it, and their search structures made and fitted. */
   uint32_t thread_count;
   void *user;                       /**< First argument of callbacks. */
   dsw_allocate_fn allocate;         /**< Null: the C++ runtime's; with release. */

@@ -99,8 +99,10 @@ typedef struct dsw_nearest {
   double point[3]; /**< Its nearest point, rounded. */
   /** Unit, towards the given point; zero for distance 0 or infinity. */
   double normal[3];
-  dsw_cell cell;            /**< The face, edge or vertex, or NONE. */
-  uint32_t tag;             /**< For a face: its tag; see dsw_contact. */
+  dsw_cell cell; /**< The face, edge or vertex, or NONE. */
+  /** For a face: its tag; see dsw_contact. A marked face on which the point lies is seen from the
+   * passable volume with the lower index. */
+  uint32_t tag;
   uint32_t volumes_visited; /**< Volumes looked at; depends on earlier calls. */
 } dsw_nearest;
 

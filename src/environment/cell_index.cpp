@@ -60,9 +60,14 @@ void CellIndex<D>::prepare(const Environment<D>& env, const Parallel& parallel, 
   if (tree_.load(std::memory_order_acquire) != nullptr || is_left_out(env)) return;
   if (scans_.load(std::memory_order_relaxed) + points <= kScansFirst) return;
   try {
+    std::unique_lock<std::mutex> lock(making_, std::defer_lock);
+    if (parallel.run == nullptr) {
+      lock.lock();
+      if (tree_.load(std::memory_order_relaxed) != nullptr) return;
+    }
     Owned<CellTree<D>> made(memory_);
     make(env, parallel, made);
-    const std::lock_guard<std::mutex> lock(making_);
+    if (!lock.owns_lock()) lock.lock();
     if (tree_.load(std::memory_order_relaxed) == nullptr) put(env, made);
   } catch (...) {  // no memory: whoever asks looks at all cells
     return;

@@ -40,7 +40,7 @@ class CellIndex {
     return true;
   }
   /** For readers that are about to ask for so many points, before they share these out: makes the first tree if it will be
-   * needed, on the threads of `parallel`. No lock is held meanwhile, because a host's pool may run other readers then. */
+   * needed, on the threads of `parallel`. While a host's pool makes it no lock is held, because the pool may run other readers then. */
   void prepare(const Environment<D>& env, const Parallel& parallel, size_t points) const noexcept;
   /** Whether there is a tree that fits the points as they are. */
   bool is_ready(const Environment<D>& env) const noexcept {

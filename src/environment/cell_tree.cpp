@@ -61,7 +61,7 @@ void prefetch_vertices(const Environment<D>& env, uint32_t index) noexcept {
 
 /** Writes to each page of a block that is still unused. The system clears a page when it is first written to, which for
  * a large tree takes as long as all else: threads share it. */
-void touch(void* block, size_t bytes, const Parallel& parallel) noexcept {
+void touch(void* block, size_t bytes, const Parallel& parallel) {
   constexpr size_t kPage = 4096, kPagesAtOnce = 1024;
   if (bytes < 4 * kPage * kPagesAtOnce) return;
   auto* const first = static_cast<unsigned char*>(block);
@@ -305,7 +305,7 @@ void CellTree<D>::fit_group(const Environment<D>& env, size_t group) noexcept {
 
 /** The boxes of groups, from those of their parts. */
 template <int D>
-void CellTree<D>::fit_upper(const Parallel& parallel) noexcept {
+void CellTree<D>::fit_upper(const Parallel& parallel) {
   for (uint32_t level = 1; level < level_count_; ++level) {
     const uint32_t below = level_first_[level - 1], parts = level_first_[level] - below;
     for_groups(parallel, (parts + kWidth - 1) / kWidth, [&](size_t g) {

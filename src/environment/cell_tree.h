@@ -2,7 +2,7 @@
 // A tree of boxes over the cells of an environment, or over the obstacles at its cells: which cells may contain a
 // point, and at which ones obstacles may be near it. Eight boxes make a group, and groups are sorted along a Hilbert
 // curve. Eight cells with neighbouring indices make a group where they lie side by side, as they do in most meshes: then
-// the tree is made eight times faster. All other cells are sorted along the curve one by one. Boxes are rounded to 16 bits
+// the tree is made five to eight times faster. All other cells are sorted along the curve one by one. Boxes are rounded to 16 bits
 // an axis. Rounding is monotone, so no cell is lost by it.
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class CellTree {
   void build(const Environment<D>& env, const Parallel& parallel);
   /** Sorts the cells with these indices and fits their boxes. Throws std::bad_alloc. O(cells). */
   void build(const Environment<D>& env, const Array<uint32_t>& cells);
-  /** Fits all boxes to the points as they are now. O(cells), shared out. */
+  /** Fits all boxes to the points as they are now. O(cells), shared out over threads of our own. */
   void fit(const Environment<D>& env, const Parallel& parallel) noexcept;
 
   /** Calls look(index) for each cell of the tree whose box holds the point, and for some others. */
@@ -206,7 +206,7 @@ class CellTree {
   void keep_neighbours(const Parallel& parallel, Keys& keys);
   void group_others(const Environment<D>& env, const Parallel& parallel, Keys& keys);
   void fit_group(const Environment<D>& env, size_t group) noexcept;
-  void fit_upper(const Parallel& parallel) noexcept;
+  void fit_upper(const Parallel& parallel);
   void put_in_order(Keys& keys) noexcept;
   size_t leaf_groups() const noexcept { return (cells_.size() + kWidth - 1) / kWidth; }
 

@@ -39,8 +39,8 @@ bool are_far_apart(const ConvexHull& a, const ConvexHull& b, double distance) no
 template <int D>
 bool are_surely_apart(const ConvexHull& a, const ConvexHull& b) noexcept;
 
-/** What one direction shows of the distances of two hulls at both ends of their ways: the one that shows most at the start. Each is
- * not more than the distance, and at the start less by 2^-48 of it and 2^-69 of the size at most. */
+/** What one direction shows of the distances of two hulls at both ends of their ways. The direction is the one that shows most at the
+ * start. Neither number is more than the distance. That at the start is less by at most 2^-48 of the distance and 2^-69 of the size. */
 struct GapAtEnds {
   double start = 0, end = 0;
 };

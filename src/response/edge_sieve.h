@@ -41,10 +41,13 @@ class EdgeSieve {
   void measure_clearances();
   void find_inwards();
   void gather();
-  /** Bits of the edges of a block: those that stay in a convex cell, those that go inwards, those that are neither and move; of the
-   * first two those of which one end does not move, of the first those of closed surfaces with an end that goes inwards. */
+  /** Bits of the edges of a block. */
   struct Sifted {
-    uint64_t inside = 0, back = 0, kept = 0, one_stays = 0, inwards = 0;
+    uint64_t inside = 0;     // stay in a convex cell
+    uint64_t back = 0;       // go inwards
+    uint64_t kept = 0;       // move, and are neither
+    uint64_t one_stays = 0;  // of `inside` and `back`: one end does not move
+    uint64_t inwards = 0;    // of `inside`: of a closed surface, and an end goes inwards
   };
   void sift();
   Sifted sift_block(uint32_t first, uint32_t count, bool skips_back) const;

@@ -43,7 +43,7 @@ class TouchedPlanes {
    * @param at of the plane; `point`: of the body.
    * @param way of the plane while the body makes the motion that is asked for.
    * @param tilt by how much its normal turns on that way.
-   * @param missing how far behind the plane the point is, which the motion makes up for. What is behind by more than that stays so. */
+   * @param missing how far behind the plane the point is. The motion brings it back by so much, and no farther. */
   void add_moving(const Vec& normal, const Vec& at, const Vec& point, const Vec& way, double tilt,
                   double missing = 0) noexcept;
   /** The body has moved, and its points with it. */

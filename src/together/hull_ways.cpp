@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kLeastPiece = 0x1p-46;  // of a time: what is shorter is left
-// What goes along with something loses no more of its distance by rounding than this share of it, in any number of steps: the
+// What goes along with something loses no more of its distance by rounding than this share of it, in all steps together: the
 // distance itself says what is left to lose.
 constexpr double kMostLost = 5 * 0x1p-37;
 constexpr double kMostBelow = 0x1p-30;  // what is nearer than this share less than wanted waits

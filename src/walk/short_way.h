@@ -26,8 +26,8 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
   return !env.has_moved() || (is_valid(cell) && is_valid(next)) ? next : Cell{};
 }
 
-/** Whether the way from a point of such a cell, or from one from which it comes into the cell, to one that only two facets of it
- * have outside leaves the cell by a facet with the open neighbour `next`. `facets`: the two, a bit each. */
+/** Whether a way leaves the cell through a facet whose open neighbour is `next`. The way starts in the cell, or comes into it. Its
+ * end lies outside of exactly two facets: those of `facets`, a bit each. */
 template <int D>
 bool leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* from, const double* to,
                 Cell next) noexcept;
