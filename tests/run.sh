@@ -148,7 +148,7 @@ step_release() {
 step_long() { # DSW_EFFORT=10 asks for ten times the cases
   one_at_a_time make_programs && "${plain_addresses[@]}" ctest --preset long && cmake --preset dev -DDSW_FUZZ_EFFORT=20 &&
     cmake --build --preset dev && "${plain_addresses[@]}" ctest --preset dev_long && with_library dev_library_long dev "$(asan_runtime)" &&
-    cmake --preset dev -DDSW_FUZZ_EFFORT=1 && cmake --preset tsan && cmake --build --preset tsan &&
+    cmake --preset dev && cmake --preset tsan && cmake --build --preset tsan &&
     with_library tsan_long tsan "$(tsan_runtime)"
 }
 step_clang() { preset clang all; }
