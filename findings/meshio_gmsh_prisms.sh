@@ -26,7 +26,7 @@ CELLS = {"tetrahedron": (4, [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], 1 / 6)
 
 
 def volume(name, incomplete):
-    """Of one straight cell that Gmsh raises to order 2, behind meshio and a .vtu file; or what stopped it."""
+    """Measures one straight cell that Gmsh raises to order 2, behind meshio and a .vtu file; or tells what stopped it."""
     kind, corners, _ = CELLS[name]
     gmsh.clear()
     gmsh.model.addDiscreteEntity(3, 1)

@@ -50,7 +50,7 @@ class HullPair {
 template <int D>
 HullDirection look_everywhere(const HullPair<D>& pair) noexcept;
 
-/** The same, and what the best direction shows of the hulls at another time: there with as many digits.
+/** Looks everywhere, and tells what the best direction shows of the hulls at another time: there with as many digits.
  * @param end of the same points. */
 template <int D>
 GapAtEnds look_at_ends(const HullPair<D>& start, const HullPair<D>& end) noexcept;

@@ -40,7 +40,7 @@ class ThickScene {
   dsw_scene* handle() const { return scene_; }
   dsw_environment* environment() const { return dsw_scene_get_environment(scene_); }
   size_t obstacle_count() const { return obstacles_.size(); }
-  /// Of the environment.
+  /// The places of the vertices of the environment.
   const std::vector<Vec>& points() const { return points_; }
   std::vector<ThickBody> bodies;
   /// Whether a part of a body has to keep away from an obstacle; none: from all.
