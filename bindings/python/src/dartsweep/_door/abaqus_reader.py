@@ -43,7 +43,7 @@ def read(path: str, source: str, format: str) -> Raw:
     try:
         made.run()
         return made.raw()
-    except (ValueError, IndexError, KeyError, OSError) as error:
+    except (ValueError, IndexError, KeyError, OSError, RecursionError) as error:
         if isinstance(error, MeshError):
             raise
         raise MeshError(source, f"it is not as Abaqus writes it ({error})", _WAY_ON) from error
@@ -281,24 +281,30 @@ def _index_of(ids: Indices) -> Indices:
 
 
 def _blocks(path: str) -> Iterator[tuple[str, dict[str, str], list[str]]]:
-    """Keywords with their options and rows, also those of included files."""
+    """Keywords with their options and rows."""
     keyword, options, rows = "", dict[str, str](), list[str]()
+    for line in _lines(path):
+        if not line.startswith("*"):
+            rows.append(line.strip())
+            continue
+        yield keyword, options, rows
+        keyword, options = _keyword(line)
+        rows = []
+        if keyword in _OF_FILES and "INPUT" in options:
+            rows = [row.strip() for row in _lines(_beside(path, options["INPUT"]))]
+    yield keyword, options, rows
+
+
+def _lines(path: str) -> Iterator[str]:
+    """Lines without remarks; those of an included file stand where it is included, so its rows go on with those before."""
     with open(path, encoding="latin-1") as file:
         for line in file:
             if line.startswith("**") or not line.strip():
                 continue
-            if not line.startswith("*"):
-                rows.append(line.strip())
-                continue
-            yield keyword, options, rows
-            keyword, options = _keyword(line)
-            rows = []
-            if keyword == "INCLUDE":
-                yield from _blocks(_beside(path, options.get("INPUT", "")))
-            elif keyword in _OF_FILES and "INPUT" in options:
-                with open(_beside(path, options["INPUT"]), encoding="latin-1") as more:
-                    rows = [row.strip() for row in more if row.strip() and not row.startswith("**")]
-    yield keyword, options, rows
+            if line.startswith("*") and _keyword(line)[0] == "INCLUDE":
+                yield from _lines(_beside(path, _keyword(line)[1].get("INPUT", "")))
+            else:
+                yield line
 
 
 def _beside(path: str, name: str) -> str:

@@ -11,6 +11,7 @@ from . import blocks, linear, polyhedra
 from .error import MeshError
 from .linear import Cells
 from .mesh import Indices
+from .ragged import groups_by_number
 from .raw import Raw
 
 _TYPES = {  # VTK's type, and where its points stand
@@ -83,8 +84,9 @@ def _offsets(index: Any) -> Indices:
 def _add_groups(raw: Raw, families: Indices, folders: Any) -> None:
     """Each cell is in one family, which names its groups."""
     members: dict[str, list[Indices]] = {}
+    cells = groups_by_number(families)
     for family in folders["ELEME"].values() if "ELEME" in folders else ():
-        own = np.flatnonzero(families == int(family.attrs["NUM"]))
+        own = cells.get(int(family.attrs["NUM"]), np.empty(0, np.int64))
         for title in family["GRO/NOM"][()] if len(own) and "GRO" in family else ():
             members.setdefault(_text(title), []).append(own)
     for name, found in members.items():

@@ -44,8 +44,8 @@ def read(path: str, source: str, format: str) -> Raw:
 
     if format == "ansys" and fluent_faces.has_faces(path):
         raise MeshError(source, "meshio would keep its faces and leave out its cells", _WAY_ON)
-    if format == "nastran" and nastran_systems.has_any(path):
-        raise MeshError(source, "meshio would take points of other coordinate systems for global ones", "Gmsh reads it")
+    if format == "nastran" and nastran_systems.has_any(path, source):
+        raise MeshError(source, "meshio would take points of other coordinate systems for global ones", nastran_systems.WAY_ON)
     if format == "xdmf" and _has_other_numbers(path):
         raise MeshError(source, "meshio would leave out BaseOffset or Order of its topology", "VTK reads it")
     output = io.StringIO()

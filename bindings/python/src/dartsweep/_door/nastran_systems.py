@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import mmap
-import os
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -12,25 +10,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .error import MeshError
+from .mapped import mapped
 from .mesh import Indices
 
 _Points = NDArray[np.float64]
-_CARD = re.compile(r"(GRID|GRDSET|CORD[123]\w)(\*?)", re.IGNORECASE)
+_CARD = re.compile(r"(GRID|GRDSET|CORD[123]\w)\b(\*?)", re.IGNORECASE)
+_NAMES_A_SYSTEM = rb"\*?[ \t]*,[^,\n]*,[ \t]*0*[1-9]| {4}[^\n,\t]{8}[ 0]{0,7}[1-9]|\* {3}[^\n,\t]{16}[ 0]{0,15}[1-9]|[^\n,]*\t"
+_MAY_BE_LOCAL = re.compile(rb"(?im)^[ \t]*(?:CORD[123]\w|GRDSET\b|GRID(?:" + _NAMES_A_SYSTEM + rb"))")
 _NUMBER = re.compile(r"([+-]?[\d.]+)[eEdD]?([+-]?\d+)?$")
-_WAY_ON = "a preprocessor can write its points in the global system"
+WAY_ON = "a preprocessor can write its points in the global system"
+_MEND = "the file has to be mended"
 
 
-def has_any(path: str) -> bool:
-    """Whether a file defines a system; points of one that defines none are global."""
-    if os.path.getsize(path) == 0:
-        return False
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
-        return re.search(rb"(?im)^[ \t]*CORD[123]\w", text) is not None
+def has_any(path: str, source: str) -> bool:
+    """Whether points of a file are in another system than the global one."""
+    return _may_have_any(path) and any(_File(path, source).system_of.values())
+
+
+def _may_have_any(path: str) -> bool:
+    """Whether a file has cards of systems, or points that name one. Points in fields that tabs divide are taken as such."""
+    with mapped(path) as text:
+        return _MAY_BE_LOCAL.search(text) is not None
 
 
 def placed(path: str, source: str, numbers: Indices, points: _Points) -> _Points:
     """Points, of GRID cards with ascending numbers, in the global system."""
-    if not has_any(path):
+    if not _may_have_any(path):
         return points
     file = _File(path, source)
     made = points.copy()
@@ -47,7 +52,7 @@ class _File:
     def __init__(self, path: str, source: str) -> None:
         self.source = source
         self.system_of: dict[int, int] = {}
-        self.grids: dict[int, _Points] = {}
+        self.grids: dict[int, list[str]] = {}  # words of the coordinates
         self.systems: dict[int, tuple[str, int, list[str]]] = {}  # kind, system of its points, and these
         usual = 0
         for name, fields in _cards(path):
@@ -55,7 +60,7 @@ class _File:
                 usual = _integer(fields[1])
             elif name == "GRID":
                 self.system_of[_integer(fields[0])] = _integer(fields[1]) if fields[1] else -1
-                self.grids[_integer(fields[0])] = _reals(fields[2:5])
+                self.grids[_integer(fields[0])] = fields[2:5]
             elif name.startswith("CORD2"):
                 self.systems[_integer(fields[0])] = name, _integer(fields[1]), fields[2:11]
             elif name.startswith("CORD1"):
@@ -63,7 +68,7 @@ class _File:
                     if fields[first]:
                         self.systems[_integer(fields[first])] = name, 0, fields[first + 1 : first + 4]
             else:
-                raise MeshError(source, f"it has a system {name}", _WAY_ON)
+                raise MeshError(source, f"it has a system {name}", WAY_ON)
         self.system_of = {number: usual if own < 0 else own for number, own in self.system_of.items()}
 
     def to_global(self, system: int, points: _Points, above: tuple[int, ...]) -> _Points:
@@ -71,18 +76,29 @@ class _File:
         if system == 0:
             return points
         if system in above or system not in self.systems:
-            raise MeshError(self.source, f"its coordinate system {system} is not there, or is given by itself", "the file has to be mended")
-        name, given_in, words = self.systems[system]
-        if name.startswith("CORD1"):
-            numbers = [_integer(word) for word in words]
-            places = [self.to_global(self.system_of[number], self.grids[number][None], (*above, system))[0] for number in numbers]
-        else:
-            places = list(self.to_global(given_in, _reals(words).reshape(3, 3), (*above, system)))
+            raise MeshError(self.source, f"its coordinate system {system} is not there, or is given by itself", _MEND)
+        places = self._places(system, above)
         up = places[1] - places[0]
         across = np.cross(up, places[2] - places[0])
         axes = np.array([np.cross(across, up), across, up])
-        made: _Points = places[0] + _rectangular(name[-1], points) @ (axes / np.linalg.norm(axes, axis=1)[:, None])
+        lengths = np.linalg.norm(axes, axis=1)[:, None]
+        if not np.all(lengths > 0.0):
+            raise MeshError(self.source, f"the points of its coordinate system {system} are on a line, or are not numbers", _MEND)
+        made: _Points = places[0] + _rectangular(self.systems[system][0][-1], points) @ (axes / lengths)
         return made
+
+    def _places(self, system: int, above: tuple[int, ...]) -> list[_Points]:
+        """The origin of a system, a point on its third axis, and one in the plane of the first and third."""
+        name, given_in, words = self.systems[system]
+        if not (all(words) if name.startswith("CORD1") else any(words[6:])):
+            raise MeshError(self.source, f"its {name} of coordinate system {system} does not have three points", _MEND)
+        if name.startswith("CORD2"):
+            return list(self.to_global(given_in, _reals(words).reshape(3, 3), (*above, system)))
+        numbers = [_integer(word) for word in words]
+        lost = [number for number in numbers if number not in self.grids]
+        if lost:
+            raise MeshError(self.source, f"its {name} of coordinate system {system} names point {lost[0]}, which is not there", _MEND)
+        return [self.to_global(self.system_of[number], _reals(self.grids[number])[None], (*above, system))[0] for number in numbers]
 
 
 def _rectangular(kind: str, points: _Points) -> _Points:
@@ -104,9 +120,10 @@ def _cards(path: str) -> Iterator[tuple[str, list[str]]]:
     with open(path, encoding="latin-1") as file:
         for line in file:
             row = line.partition("$")[0].rstrip()
-            if row[:1] in ("+", "*", ",", " ", "") and not _CARD.match(row.strip()):
-                if name and row.strip():
-                    fields += _fields(row, row.startswith("*"))
+            first = (row.partition(",")[0] if "," in row else row.expandtabs()[:8]).strip()
+            if first[:1] in ("", "+", "*"):
+                if name and row:
+                    fields += _fields(row, first.startswith("*"))
                 continue
             if name:
                 yield name, fields + [""] * (11 - len(fields))
