@@ -9,7 +9,7 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 vtk==9.7.2
+"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 vtk==9.7.2 numpy==2.4.6
 "$folder/venv/bin/python" - "$folder/one.vtk" <<'PY'
 import sys
 

@@ -10,7 +10,7 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 meshio==5.3.5 vtk==9.7.2
+"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 meshio==5.3.5 vtk==9.7.2 numpy==2.4.6
 "$folder/venv/bin/python" - "$folder" <<'PY'
 import sys
 

@@ -2,14 +2,14 @@
 # Gmsh, meshio and points of Nastran that are given in a coordinate system of the file.
 # One would guess that a quarter of a cylinder, with points by radius, degrees and height (CORD2C, field CP of GRID), comes out as one, or that a
 # reader says that it can not.
-# What happens: both take the three numbers as x, y and z, so 90 degrees become y = 90, and the volume of a plain hexahedron is 60 times too large. The field CP, the
-# default of GRDSET and the CORD cards are left out without a warning.
+# What happens: both take the three numbers as x, y and z, so 90 degrees become y = 90, and the volume of a plain hexahedron is 60 times too
+# large. The field CP, the default of GRDSET and the CORD cards are left out without a warning.
 # Who meets it: whoever has .bdf files of shafts, pipes or vessels of Patran, Femap or by hand, where cylindrical systems are usual.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 meshio==5.3.5
+"$folder/venv/bin/pip" install -q --no-compile gmsh==4.15.2 meshio==5.3.5 numpy==2.4.6
 "$folder/venv/bin/python" - "$folder/quarter.bdf" <<'PY'
 import sys
 

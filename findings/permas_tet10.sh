@@ -8,7 +8,7 @@ set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install -q --no-compile meshio==5.3.5 netgen-mesher==6.2.2608
+"$folder/venv/bin/pip" install -q --no-compile meshio==5.3.5 netgen-mesher==6.2.2608 numpy==2.4.6
 cd "$folder"
 venv/bin/python - <<'PY'
 import importlib.metadata

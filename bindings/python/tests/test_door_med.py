@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pathlib
+import sys
 from typing import Any
 
 import numpy as np
@@ -87,6 +88,14 @@ def test_what_gmsh_would_leave_out_of_med_is_told(tmp_path: pathlib.Path) -> Non
     write(tmp_path / "one.med", CUBE, {"POE": {"GEO": 500, "IFN": [1, 2], "INN": [1, 5], "NOD": [1, 2, 3, 4]}}, {})
     with pytest.raises(ds.MeshError, match="polyhedra or polygons, which Gmsh leaves out"):
         gmsh_reader.read(str(tmp_path / "one.med"), "the file", "med")
+
+
+def test_polyhedra_of_med_without_h5py_name_the_extra(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("gmsh", exc_type=ImportError)
+    write(tmp_path / "one.med", CUBE, {"POE": {"GEO": 500, "IFN": [1, 2], "INN": [1, 5], "NOD": [1, 2, 3, 4]}}, {})
+    monkeypatch.setitem(sys.modules, "h5py", None)
+    with pytest.raises(ds.MeshError, match=r"which Gmsh leaves out.*; pip install dartsweep\[med\], or its cells"):
+        ds.read(tmp_path / "one.med")
 
 
 def test_grids_and_strange_cells_of_med_are_told(tmp_path: pathlib.Path) -> None:

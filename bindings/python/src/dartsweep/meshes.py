@@ -1,5 +1,5 @@
-"""Meshes of files and of other libraries (the extras `vtk`, `mesh`, `gmsh`, `mfem`, `moab`, or all with `meshes`), surfaces by trimesh (the extra
-`trimesh`), and closed surfaces that are filled with volumes (the extra `surfaces`).
+"""Meshes of files and of other libraries (the extras `vtk`, `mesh`, `gmsh`, `mfem`, `med`, `moab`, or all with `meshes`), surfaces by trimesh (the
+extra `trimesh`), and closed surfaces that are filled with volumes (the extra `surfaces`).
 
 Meshes are taken by their attributes, so that nothing is imported but where a library has to read or to make one.
 """

@@ -53,8 +53,8 @@ def read(path: str, source: str, format: str) -> Raw:
 class _Scope:
     """What a part says, or a file without parts, or the assembly."""
 
-    nodes: Any = dataclasses.field(default_factory=list)
-    """Rows as text; of instances arrays."""
+    nodes: list[Any] = dataclasses.field(default_factory=list)
+    """Tables of numbers and coordinates."""
     elements: list[tuple[int, Any]] = dataclasses.field(default_factory=list)
     """Type of VTK; numbers and nodes."""
     sets: dict[str, list[Any]] = dataclasses.field(default_factory=dict)
@@ -72,6 +72,9 @@ class _Reading(_Scope):
         self.path, self.source = path, source
         self.parts: dict[str, _Scope] = {}
         self.instances: list[tuple[str, str, list[str]]] = []  # name, part, how it is placed
+        self.highest = (0, 0)  # numbers of nodes and elements that are placed
+        self.more: dict[str, int] = {}  # what is added to the numbers of an instance's elements, by its name in capitals
+        self.titles: dict[str, str] = {}  # names of sets, by these in capitals
 
     def run(self) -> None:
         now: _Scope = self
@@ -81,7 +84,7 @@ class _Reading(_Scope):
             elif keyword in ("END PART", "ASSEMBLY"):
                 now = self
             elif keyword == "NODE":
-                now.nodes += self._nodes(now, options, rows)
+                now.nodes.append(self._nodes(now, options, rows))
             elif keyword == "SYSTEM":
                 now.system = _system(rows)
             elif keyword in _GENERATING:
@@ -96,8 +99,11 @@ class _Reading(_Scope):
                 self.instances.append((options.get("NAME", ""), options.get("PART", "").upper(), rows))
         if not self.instances:  # parts that no assembly places stand where they are
             self.instances = [(name, name, []) for name in self.parts]
+        self.highest = _highest(self)
         for name, part, rows in self.instances:
             self._place(name, part, rows)
+        for members in self.sets.values():  # those of the assembly name elements of an instance
+            members[:] = [each[1] + self.more[each[0].upper()] if isinstance(each, tuple) and each[0].upper() in self.more else each for each in members]
 
     def _place(self, name: str, part: str, rows: list[str]) -> None:
         """Adds the nodes and elements of an instance, with numbers that no other has, so its sets and surfaces are called INSTANCE.SET; those of
@@ -105,38 +111,35 @@ class _Reading(_Scope):
         if part not in self.parts:
             raise MeshError(self.source, f"it places a part '{part}' that it does not have", _WAY_ON)
         of, before = self.parts[part], "" if len(self.instances) == 1 else f"{name}."
-        own = _table(of.nodes)
+        more_nodes, more = self.highest
+        self.more.setdefault(name.upper(), more)
+        own = _joined(of.nodes)
         own[:, 1:] = placed(own[:, 1:], [[float(word) for word in row.split(",") if word.strip()] for row in rows])
-        table = _table(self.nodes)
-        more_nodes = int(table[:, 0].max(initial=0))
-        more = max((int(numbers[:, 0].max(initial=0)) for _, numbers in self.elements), default=0)
         own[:, 0] += more_nodes
-        self.nodes = np.concatenate([table, own])
+        self.nodes.append(own)
         for kind, numbers in of.elements:
             self.elements.append((kind, numbers + np.array([more] + [more_nodes] * (numbers.shape[1] - 1))))
+        nodes, elements = _highest(of)
+        self.highest = more_nodes + nodes, more + elements
         for title, members in of.sets.items():
             self.sets.setdefault(before + title, []).extend(before + each if isinstance(each, str) else each + more for each in members)
         for title, faces in of.surfaces.items():
             self.surfaces[before + title] = [[str(int(row[0]) + more) if row[0].isdigit() else before + row[0], *row[1:]] for row in faces]
         if before:
             self.sets[name] = [numbers[:, 0] + more for _, numbers in of.elements]
-        for members in self.sets.values():  # sets of the assembly name elements of an instance
-            members[:] = [each[1] + more if isinstance(each, tuple) and each[0].upper() == name.upper() else each for each in members]
 
     def _nodes(self, now: _Scope, options: dict[str, str], rows: list[str]) -> Any:
-        """Rows of nodes, in the coordinates of the whole."""
+        """Numbers of nodes, and their coordinates in the whole."""
         system = options.get("SYSTEM", "R").upper()[:1]
         if system not in ("R", "C"):
             raise MeshError(self.source, f"nodes are in a system '{options['SYSTEM']}', which is not rectangular or cylindrical", _WAY_ON)
-        if system == "R" and now.system is None:
-            return rows
-        table = _table(rows)
+        table = np.array([_four(row) for row in rows], np.float64).reshape(-1, 4)
         if system == "C":  # distance from the axis, degrees, height
             radius, angle = table[:, 1].copy(), np.radians(table[:, 2])
             table[:, 1], table[:, 2] = radius * np.cos(angle), radius * np.sin(angle)
         if now.system is not None:
             table[:, 1:] = now.system[0] + table[:, 1:] @ now.system[1]
-        return list(table)
+        return table
 
     def _add_elements(self, now: _Scope, options: dict[str, str], rows: list[str]) -> None:
         name = options.get("TYPE", "").upper()
@@ -148,7 +151,7 @@ class _Reading(_Scope):
             of_width = _SOLID if linear.DIMENSION[kind] == 3 else _SHELL
             if len(numbers) % count or width not in of_width:
                 raise MeshError(self.source, f"elements of type {name} have {width} nodes", _WAY_ON)
-            kind = of_width[width]  # Gmsh calls wedges of 15 and 18 nodes C3D6
+            kind = of_width[width]  # Gmsh calls wedges of 18 nodes C3D6
         numbers = numbers.reshape(-1, width + 1)
         order = (_ORDER_OF_GMSH if name == "C3D6" else _ORDER).get(kind)
         if order is not None:
@@ -189,7 +192,7 @@ class _Reading(_Scope):
                     own.append(np.array([int(word)]) if instance is None else (instance, np.array([int(word)])))
 
     def raw(self) -> Raw:
-        table = _table(self.nodes)
+        table = _joined(self.nodes)
         ids = table[:, 0].astype(np.int64)
         index = _index_of(ids)
         parts = [linear.uniform(kind, index[rows[:, 1:]]) for kind, rows in self.elements]
@@ -197,6 +200,8 @@ class _Reading(_Scope):
         if len(raw.cells.flat) and raw.cells.flat.min() < 0:
             raise MeshError(self.source, "an element names a node that is not there", "the file is damaged")
         of_element = _index_of(np.concatenate([np.empty(0, np.int64), *(rows[:, 0] for _, rows in self.elements)]))
+        for name in self.sets:
+            self.titles.setdefault(name.upper(), name)
         for name in self.sets:
             members = self._members(name, of_element, ())
             if len(members) and not name.rpartition(".")[2].startswith("_"):  # those are Abaqus's own, of surfaces
@@ -207,7 +212,7 @@ class _Reading(_Scope):
 
     def _members(self, name: str, of_element: Indices, above: tuple[str, ...]) -> Indices:
         found = [np.empty(0, np.int64)]
-        key = next((known for known in self.sets if known.upper() == name.upper()), None)
+        key = self.titles.get(name.upper())
         for part in self.sets[key] if key is not None and key not in above else ():
             if isinstance(part, tuple):
                 raise MeshError(self.source, f"the set '{name}' names an instance '{part[0]}' that it does not have", _WAY_ON)
@@ -263,9 +268,15 @@ def _system(rows: list[str]) -> Any:
     return places[0], axes / np.linalg.norm(axes, axis=1)[:, None]
 
 
-def _table(nodes: Any) -> Any:
-    """Numbers and coordinates of nodes, of rows as text or of numbers."""
-    return np.array([_four(row) if isinstance(row, str) else row for row in nodes], np.float64).reshape(-1, 4)
+def _joined(tables: list[Any]) -> Any:
+    """Numbers and coordinates of nodes, in one table."""
+    return np.concatenate([np.empty((0, 4)), *tables])
+
+
+def _highest(scope: _Scope) -> tuple[int, int]:
+    """The highest numbers of nodes and of elements."""
+    nodes = max((int(table[:, 0].max(initial=0)) for table in scope.nodes), default=0)
+    return nodes, max((int(numbers[:, 0].max(initial=0)) for _, numbers in scope.elements), default=0)
 
 
 def _four(row: str) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import importlib
 import math
 import mmap
@@ -66,17 +67,22 @@ def _of_hdf5(path: str) -> Node:
         h5py: Any = importlib.import_module("h5py")
     except ImportError as error:
         raise NoTree("h5py, which reads the names of its surfaces, is not installed") from error
-    file = h5py.File(path, "r")
+
+    def load(path: str, name: str) -> Any:
+        with h5py.File(path, "r") as file:
+            return np.ravel(file[name][()])  # C's order of the file is Fortran's of the node
 
     def node(name: str, group: Any, depth: int) -> Node:
         label = group.attrs.get("label", b"")
         inner = [node(key, child, depth + 1) for key, child in group.items() if isinstance(child, h5py.Group)] if depth < 9 else []
         made = Node(name, label.decode() if isinstance(label, bytes) else str(label), inner)
         if " data" in group:
-            made.load = lambda: np.ravel(group[" data"][()])  # C's order of the file is Fortran's of the node
+            data = group[" data"]
+            made.load = functools.partial(load, data.file.filename, data.name)  # a link may lead into another file
         return made
 
-    return node("", file, 0)
+    with h5py.File(path, "r") as file:
+        return node("", file, 0)
 
 
 def _of_adf(path: str) -> Node:

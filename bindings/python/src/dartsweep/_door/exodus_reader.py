@@ -51,7 +51,7 @@ def read(path: str, source: str, format: str) -> Raw:
     try:
         return _Reading(Variables(path), source).raw
     except ImportError as error:
-        raise MeshError(source, "it is a netCDF-4 file, and h5py is not installed", "pip install dartsweep[moab]") from error
+        raise MeshError(source, "it is a netCDF-4 file, and h5py is not installed", "pip install h5py") from error
     except (KeyError, ValueError, IndexError, OSError, struct.error) as error:
         if isinstance(error, MeshError):
             raise

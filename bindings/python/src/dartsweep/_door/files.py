@@ -92,10 +92,11 @@ def _of_dialects(path: str, source: str, dialects: list[Dialect], quadratic: str
         if (dialect, reader) != ways[0]:
             mesh.notes += _why_not_first(ways, installed, failed, reader)
         return mesh
-    if len(failed) == 1:
-        missing = [reader for _, reader in ways if not _is_installed(reader)]
-        raise failed[0] if not missing else MeshError(source, failed[0].found, f"{_extra(missing[0])}, or {failed[0].way_on}")
-    raise MeshError(source, "; ".join(error.found for error in failed), failed[0].way_on) from failed[0]
+    missing = [reader for _, reader in ways if not _is_installed(reader)]
+    if len(failed) == 1 and not missing:
+        raise failed[0]
+    way_on = f"{_extra(missing[0])}, or {failed[0].way_on}" if missing else failed[0].way_on
+    raise MeshError(source, "; ".join(error.found for error in failed), way_on) from failed[0]
 
 
 def _why_not_first(ways: Any, installed: Any, failed: list[MeshError], reader: Reader) -> list[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import mmap
 import os
 import re
 import tempfile
@@ -13,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
+from .mapped import mapped
 from . import linear, msh_walk, nastran_systems
 from .linear import Cells
 from .mesh import Indices
@@ -48,7 +48,7 @@ def read(path: str, source: str, format: str) -> Raw:
     import gmsh
 
     if format == "med" and _has_polyhedra(path):
-        raise MeshError(source, "it has polyhedra or polygons, which Gmsh leaves out", "pip install dartsweep[moab]")
+        raise MeshError(source, "it has polyhedra or polygons, which Gmsh leaves out", "its cells have to be divided into linear ones first")
     gmsh.initialize(readConfigFiles=False, interruptible=False)
     try:
         gmsh.option.setNumber("General.Terminal", 0)
@@ -78,9 +78,7 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
 
 def _has_polyhedra(path: str) -> bool:
     """Whether a MED file has a folder of such cells. HDF5 has names of folders as they are, up to a zero."""
-    if os.path.getsize(path) == 0:
-        return False
-    with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+    with mapped(path) as text:
         return re.search(rb"[\0\3](?:POE|POG|PG2)", text) is not None
 
 
@@ -111,12 +109,13 @@ def _check_count(path: str, format: str, raw: Raw) -> None:
         if not any(line.upper().startswith("ENDDATA") for line in lines):
             raw.notes.append("the file has no ENDDATA: it may have been cut short")
     elif format == "mesh":
-        with open(path, encoding="latin-1") as rows:
-            found = re.search(r"(?m)^[ \t]*(Prisms|Pyramids)\s+[1-9]", rows.read())
-        if found:
-            raise MeshError(raw.source, f"Gmsh leaves out its {found.group(1).lower()}, without a word", "meshio can write the mesh anew")
+        with mapped(path) as text:
+            found = re.search(rb"(?m)^[ \t]*(Prisms|Pyramids)\s+[1-9]", text)
+            kind = found.group(1).decode().lower() if found else ""
+        if kind:
+            raise MeshError(raw.source, f"Gmsh leaves out its {kind}, without a word", "a program that reads them can write the mesh anew")
     elif format == "msh" and os.path.getsize(path) > 0:
-        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+        with mapped(path) as text:
             at = text.find(b"\n$ELM" if text[:4] == b"$NOD" else b"\n$Elements")
             head = text[at + 1 : at + 300] if at >= 0 else b""
             version = text[:200].split(b"$MeshFormat")[-1].split()[:2]

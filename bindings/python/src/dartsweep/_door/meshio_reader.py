@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .error import MeshError
+from .mapped import mapped
 from . import fluent_faces, linear, nastran_systems, polyhedra
 from .linear import Cells
 from .mesh import Indices
@@ -47,7 +48,7 @@ def read(path: str, source: str, format: str) -> Raw:
     if format == "nastran" and nastran_systems.has_any(path, source):
         raise MeshError(source, "meshio would take points of other coordinate systems for global ones", nastran_systems.WAY_ON)
     if format == "xdmf" and _has_other_numbers(path):
-        raise MeshError(source, "meshio would leave out BaseOffset or Order of its topology", "VTK reads it")
+        raise MeshError(source, "meshio would leave out BaseOffset or Order of its topology", _WAY_ON)
     output = io.StringIO()
     try:
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
@@ -68,9 +69,9 @@ def read(path: str, source: str, format: str) -> Raw:
 
 def _has_other_numbers(path: str) -> bool:
     """Whether points of an XDMF file have numbers that do not begin with 0, or stand in an order of their own."""
-    with open(path, encoding="utf-8", errors="replace") as file:
-        heads: list[str] = re.findall(r"<Topology\b[^>]*>", file.read())
-    return any(re.search(r"""\bOrder\s*=|\bBaseOffset\s*=\s*["']\s*0*[1-9]""", head) for head in heads)
+    with mapped(path) as text:
+        heads: list[bytes] = re.findall(rb"<Topology\b[^>]*>", text)
+    return any(re.search(rb"""\bOrder\s*=|\bBaseOffset\s*=\s*["']\s*0*[1-9]""", head) for head in heads)
 
 
 def raw_of(mesh: Any, source: str) -> Raw:

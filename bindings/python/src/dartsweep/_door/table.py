@@ -38,7 +38,7 @@ LIBRARIES = {  # module to import, extra, title
     "meshio": ("meshio", "mesh", "meshio"),
     "gmsh": ("gmsh", "gmsh", "Gmsh"),
     "mfem": ("mfem", "mfem", "PyMFEM"),
-    **{name: ("h5py", "moab", "h5py") for name in ("med", "moab")},
+    **{name: ("h5py", name, "h5py") for name in ("med", "moab")},
     **{name: ("numpy", "", "NumPy") for name in ("abaqus", "exodus", "gambit", "kratos", "netgen", "off", "su2", "ucd", "unv")},
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }

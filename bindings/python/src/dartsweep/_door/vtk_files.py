@@ -240,7 +240,7 @@ def _name_fluent(raw: Raw, titles: list[str], sides: list[tuple[str, Indices, In
 
 
 def _refuse_coordinates(path: str, source: str) -> None:
-    """VTK knows points by CoordinateX, Y and Z only, and takes others for these without a word."""
+    """VTK knows points by CoordinateX, Y and Z only, and takes others for these without a word. HDF5 can be looked into where h5py is installed."""
     with contextlib.suppress(cgns_tree.NoTree):
         for _, zone in cgns_tree.zones(path):
             for grid in zone.all("GridCoordinates_t"):
