@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace dsw {
@@ -98,19 +99,57 @@ class HullWaysTest : public testing::TestWithParam<Kind> {
     }
     return allowed;
   }
+  /** Asks for small turns of the first part about a corner, each from a place at the limit. @return how many were allowed. */
+  template <int D>
+  int turn_there(Points a, const Points& b, double wanted) {
+    const Limit limit(mpq_class(wanted), less_by(34)), on_way(mpq_class(wanted), less_by(33));
+    int allowed = 0;
+    for (int i = 0; i < 100; ++i) {
+      const oracle::Vec pivot = random_() % 2 == 0 ? a[random_() % a.size()] : b[random_() % b.size()];
+      const double angle = std::ldexp(number(-1, 1), -10 - static_cast<int>(random_() % 30));
+      oracle::Vec axis = {0, 0, angle};
+      for (size_t k = 0; D == 3 && k < 3; ++k) axis[k] = angle * number(-1, 1);
+      Points to = a, middle = a;
+      for (size_t v = 0; v < a.size(); ++v) {
+        for (size_t k = 0; k < 3; ++k) {
+          const size_t l = (k + 1) % 3, m = (k + 2) % 3;
+          to[v][k] += axis[l] * (a[v][m] - pivot[m]) - axis[m] * (a[v][l] - pivot[l]);
+          middle[v][k] = a[v][k] + (to[v][k] - a[v][k]) / 2;
+        }
+      }
+      Vec known = Vec::Zero();
+      if (time_kept(ways_of<D>(a, to, b, 0), wanted, 1, &known) < 1) continue;
+      EXPECT_FALSE(oracle::is_nearer(to, b, limit)) << "turn " << i << " by " << angle;
+      EXPECT_FALSE(oracle::is_nearer(middle, b, on_way)) << "turn " << i << " by " << angle;
+      ++allowed;
+      if (put_at(to, b, wanted * (1 - 0x1p-35)) && !oracle::is_nearer(to, b, limit)) a = to;
+    }
+    return allowed;
+  }
+  /** Draws two parts that far from each other, of which `missing` is missing as a share. */
+  template <int D>
+  void draw(const Kind& kind, bool by_end, double missing, const Limit& limit, Points& a, Points& b) {
+    for (int tries = 0; tries < 1000; ++tries) {
+      b = points<D>(kind.counts[1]);
+      a = points<D>(kind.counts[0]);
+      if (by_end) put_end_at(a, b);
+      // Some meet, and of some the rounding of their places is larger than what may be missing.
+      if (put_at(a, b, kind.wanted * (1 - missing)) && !oracle::is_nearer(a, b, limit)) return;
+    }
+    FAIL() << "no two parts are apart";
+  }
   template <int D>
   void comes_no_nearer() {
     const Kind& kind = GetParam();
-    int allowed = 0;
-    for (int i = 0; i < effort_of(12); ++i) {
-      const Points b = points<D>(kind.counts[1]);
-      Points a = points<D>(kind.counts[0]);
-      if (a.size() == 2 && b.size() == 1 && i % 2 != 0) put_end_at(a, b);
-      // As it stops, at what it may lose by rounding, and a little before.
+    int allowed = 0, turned = 0;
+    for (int i = 0; i < std::max(effort_of(12), 6); ++i) {
+      // What is missing of the distance where it stops, where it has lost all that it may by rounding, and a little before.
       const double shares[] = {0x1p-35, 0x1p-34 * 5 / 8, 0x1p-36};
-      if (!put_at(a, b, kind.wanted * (1 - shares[i % 3]))) continue;
       const Limit limit(mpq_class(kind.wanted), less_by(34));
-      if (oracle::is_nearer(a, b, limit)) continue;  // the rounding of its places is larger than that
+      Points a, b;
+      ASSERT_NO_FATAL_FAILURE(
+          draw<D>(kind, kind.counts[0] == 2 && kind.counts[1] == 1 && i % 2 != 0, shares[i % 3], limit, a, b));
+      turned += turn_there<D>(a, b, kind.wanted);
       allowed += go_along<D>(a, b, kind.wanted, 2000);
       EXPECT_FALSE(oracle::is_nearer(a, b, limit))
           << i << ": " << (1 - oracle::root(square_of_distance(a, b)).get_d() / kind.wanted) * 0x1p34;
@@ -124,6 +163,7 @@ class HullWaysTest : public testing::TestWithParam<Kind> {
       EXPECT_EQ(time_kept(ways_of<D>(a, away, b, 0), kind.wanted, 1, &known), 1) << i;
     }
     EXPECT_GT(allowed, 0);
+    EXPECT_GT(turned, 0);
   }
 
   std::mt19937_64 random_{seed_of(34)};
