@@ -4,6 +4,8 @@
 #include "support.h"
 #include "sweep_scenes.h"
 
+#include <deque>
+
 namespace dsw::oracle {
 namespace {
 
@@ -91,11 +93,28 @@ class ShortEdgesTest : public testing::Test {
     for (int k = 0; k < 2; ++k) ASSERT_EQ(dsw_body_destroy(scenes[k], bodies[k]), DSW_STATUS_OK);
   }
 
-  uint64_t moves_ = 0, swept_ = 0, stopped_ = 0;
+  /// Takes the vertices of both environments to the same places near by.
+  void deform(Rng& rng, double reach, dsw_environment* const (&environments)[2]) {
+    const double* points = nullptr;
+    size_t count = 0;
+    ASSERT_EQ(dsw_environment_get_points(environments[0], &points, &count), DSW_STATUS_OK);
+    std::vector<double> next(points, points + 3 * count);
+    for (double& x : next) x += reach * rng.range(-1, 1);
+    for (dsw_environment* environment : environments) {
+      std::vector<double>& lent = lent_.emplace_back(next);
+      ASSERT_EQ(dsw_environment_deform(environment, lent.data(), count, nullptr, nullptr), DSW_STATUS_OK)
+          << dsw_last_error_message();
+    }
+    ++deformations_;
+  }
+
+  uint64_t moves_ = 0, swept_ = 0, stopped_ = 0, deformations_ = 0;
+  std::deque<std::vector<double>> lent_;
 };
 
 TEST_F(ShortEdgesTest, ChangeNothing) {
-  for (uint64_t seed = 1; seed <= seeds_of(3, 1); ++seed) {
+  const uint64_t seeds_wanted = seeds_of(3, 1);
+  for (uint64_t seed = 1; seed <= seeds_wanted; ++seed) {
     Rng seeds(seed_of(seed));
     for (const SweepTurn& turn : sweep_turns("")) {
       SCOPED_TRACE(std::string(turn.kind->name) + transform_name(turn.transform) + " seed " + std::to_string(seed));
@@ -112,9 +131,38 @@ TEST_F(ShortEdgesTest, ChangeNothing) {
       }
     }
   }
-  EXPECT_GE(moves_, 500u);
-  EXPECT_GE(swept_, 10000u);
-  EXPECT_GE(stopped_, 100u);
+  EXPECT_GE(moves_, 500 * seeds_wanted);
+  EXPECT_GE(swept_, 10000 * seeds_wanted);
+  EXPECT_GE(stopped_, 100 * seeds_wanted);
+}
+
+/// An environment that deforms belongs to one scene, so each scene has its own.
+TEST_F(ShortEdgesTest, ChangeNothingWherePointsHaveMoved) {
+  const uint64_t seeds_wanted = seeds_of(3, 1);
+  for (uint64_t seed = 1; seed <= seeds_wanted; ++seed) {
+    Rng seeds(seed_of(seed + 100));
+    for (const SweepTurn& turn : sweep_turns("")) {
+      if (turn.transform != Transform::kNone) continue;
+      SCOPED_TRACE(std::string(turn.kind->name) + " seed " + std::to_string(seed));
+      Rng rng(seeds.next() >> 1), again = rng;
+      SweepReport report;
+      const std::unique_ptr<Stage> stage = make_stage(turn, seed, rng, report),
+                                   twin = make_stage(turn, seed, again, report);
+      if (stage == nullptr || twin == nullptr) continue;
+      SpaceArena arena(stage->world, stage->marked_edges);
+      StagePlaces places(*stage, rng);
+      const ScenePtr plain = make_scene(stage->environment.get(), DSW_FEATURE_DEFORMING);
+      const ScenePtr counting = make_scene(twin->environment.get(), DSW_FEATURE_DEFORMING | DSW_FEATURE_STATISTICS);
+      for (int body = 0; body < 6; ++body) {
+        const double reach = arena.size() * std::pow(10, -rng.range(1.5, 4));
+        ASSERT_NO_FATAL_FAILURE(deform(rng, reach, {stage->environment.get(), twin->environment.get()}));
+        ASSERT_NO_FATAL_FAILURE(run_body(places, rng, arena.size(), {plain.get(), counting.get()}));
+      }
+    }
+  }
+  EXPECT_GE(deformations_, 50 * seeds_wanted);
+  EXPECT_GE(swept_, 500 * seeds_wanted);
+  EXPECT_GE(stopped_, 10 * seeds_wanted);
 }
 
 }  // namespace
