@@ -36,6 +36,12 @@ class ThickReach {
     }
   }
 
+  /// Whether a volume is invalid before or after. Else nothing that is hidden is nearer than what hides it.
+  bool has_folded() const {
+    return std::any_of(volumes_.begin(), volumes_.end(),
+                       [](const Volume& each) { return each.was_valid == 0 || each.is_valid == 0; });
+  }
+
   /// Whether a part of a body that goes from one scene to the other sees an obstacle, both as they are when a share of the way is made: the
   /// straight way between their nearest points passes no wall. A volume is passable if it is valid before or after.
   bool sees(const ThickScene& before, const ThickScene& after, double share, size_t body, const ThickPart& part,
