@@ -311,7 +311,7 @@ void bend(dsw_environment* environment, double size, Rng& rng, std::vector<doubl
 
 TEST(NearSlitTest, TheOtherLipIsNotSeen) {
   NearTally tally;
-  const int bodies = effort_of(240), of_each = std::min(bodies, 20);
+  const int bodies = effort_of(240), of_each = std::clamp(bodies / 4, 1, 20);  // four kinds of places
   for (uint64_t seed = 1; of_each * static_cast<int>(seed) <= bodies; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
@@ -385,7 +385,7 @@ TEST(NearAcrossWallsTest, BodiesAreSeenWhereNoWallIsBetween) {
 
 TEST(NearPlaneSightTest, AreAllThatAreSeenFromWhatTouchesWalls) {
   NearTally tally;
-  const int bodies = effort_of(600), of_each = std::min(bodies, 100);
+  const int bodies = effort_of(600), of_each = std::clamp(bodies / 2, 1, 100);  // two kinds of places
   for (uint64_t seed = 1; of_each * static_cast<int>(seed) <= bodies; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);

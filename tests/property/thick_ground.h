@@ -109,7 +109,8 @@ inline std::unique_ptr<ThickGround> space_ground(const std::string& scene, Trans
 
 inline std::unique_ptr<ThickGround> plane_ground(const std::string& scene, size_t number, Rng& rng) {
   const std::vector<plane::Turn> turns = plane::turns(scene);
-  const plane::Turn& turn = turns[number % turns.size()];
+  const plane::Turn& turn =
+      turns[(7 * number + scene.size()) % turns.size()];  // few numbers meet all of them in some scene
   plane::World world = plane::make_world(turn, rng);
   EnvironmentPtr environment = plane::make_environment(turn, world, rng);
   if (environment == nullptr) return nullptr;

@@ -118,7 +118,7 @@ TEST_P(ThickSceneTest, BodiesKeepTheirRadius) {
     constexpr Transform transforms[] = {Transform::kNone,  Transform::kNone,  Transform::kFar,  Transform::kNone,
                                         Transform::kLarge, Transform::kSmall, Transform::kPower};
     Rng rng(seed);
-    const Transform transform = transforms[seed % 7];
+    const Transform transform = transforms[(seed + GetParam().size()) % 7];  // few seeds meet all of them in some scene
     const bool fine = GetParam() == "hex_thin" || GetParam().find("slivers") != std::string::npos;
     if (fine && transform == Transform::kFar) continue;
     SCOPED_TRACE("seed " + std::to_string(seed) + transform_name(transform));

@@ -446,7 +446,7 @@ TEST_F(TogetherMoreTest, HexahedraToo) {
 
 TEST_F(TogetherMoreTest, WhatIsRememberedDoesNotMatter) {
   size_t moves = 0, different = 0, contacts = 0;
-  for (int round = 0; round < effort_of(20); ++round) {
+  for (int round = 0; round < std::max(effort_of(20), 4); ++round) {
     const Ground ground = make_ground(3, 4, 0.15, 0.05, round % 2 == 0, rng_);
     const bool surface = round % 4 < 2;
     const dsw_level level = surface ? DSW_LEVEL_FACES : DSW_LEVEL_EDGES_SWEPT;
