@@ -420,8 +420,7 @@ inline void ThickChecks::check_gap(size_t i) {
   mpf_class exact(0, 256);
   const bool is_near = scene_.find_gap(i, 2 + limit / body.radius, exact) && exact < limit;
   const mpf_class expected = is_near ? exact : mpf_class(limit, 256);
-  // Two of the least numbers are lost where all numbers are multiples of them.
-  const double tolerance = 1e-9 * body.radius + 1e-12 * std::max(ground_.size, ground_.largest) + 0x1p-1073;
+  const double tolerance = 1e-9 * body.radius + 1e-12 * std::max(ground_.size, ground_.largest);
   EXPECT_LE(gap, expected) << "of radius " << number(body.radius);
   if (body.self) return;  // own parts that need not keep apart may count as well
   EXPECT_GE(gap, expected - tolerance) << "of radius " << number(body.radius);

@@ -108,7 +108,10 @@ inline std::unique_ptr<ThickGround> space_ground(const std::string& scene, Trans
 }
 
 inline std::unique_ptr<ThickGround> plane_ground(const std::string& scene, size_t number, Rng& rng) {
-  const std::vector<plane::Turn> turns = plane::turns(scene);
+  std::vector<plane::Turn> turns = plane::turns(scene);
+  // Of radii of the least numbers there are no shares that could be kept.
+  const auto is_denormal = [](const plane::Turn& turn) { return turn.transform == Transform::kDenormal; };
+  turns.erase(std::remove_if(turns.begin(), turns.end(), is_denormal), turns.end());
   const plane::Turn& turn =
       turns[(7 * number + scene.size()) % turns.size()];  // few numbers meet all of them in some scene
   plane::World world = plane::make_world(turn, rng);

@@ -128,7 +128,7 @@ TEST(ShortWay, IsTheWayOfACast) {
 /** Some points go so far that cells become invalid, which are walls then. */
 TEST(ShortWay, IsTheWayOfACastWherePointsHaveMoved) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(6)));
-  std::uniform_real_distribution<double> far(-0.4, 0.4);
+  std::uniform_real_distribution<double> far(-0.6, 0.6);
   const int rounds = effort_of(20);
   for (const double jitter : {0.0, 0.03}) {
     SCOPED_TRACE(jitter);
