@@ -343,6 +343,8 @@ TimeOfGap worst_time(const HullWays<D>& ways, double time, double wanted) noexce
   return worst;
 }
 
+template struct HullPlaces<2>;
+template struct HullPlaces<3>;
 DSW_INSTANTIATE(time_kept);
 DSW_INSTANTIATE(opening_of);
 DSW_INSTANTIATE(worst_time);
