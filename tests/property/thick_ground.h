@@ -109,7 +109,7 @@ inline std::unique_ptr<ThickGround> space_ground(const std::string& scene, Trans
 
 inline std::unique_ptr<ThickGround> plane_ground(const std::string& scene, size_t number, Rng& rng) {
   std::vector<plane::Turn> turns = plane::turns(scene);
-  // Of radii of the least numbers there are no shares that could be kept.
+  // A radius that is one of the least numbers can keep no share of itself.
   const auto is_denormal = [](const plane::Turn& turn) { return turn.transform == Transform::kDenormal; };
   turns.erase(std::remove_if(turns.begin(), turns.end(), is_denormal), turns.end());
   const plane::Turn& turn =
