@@ -71,16 +71,6 @@ void touch(void* block, size_t bytes, const Parallel& parallel) {
   parallel_chunks(parallel, bytes / kPage, kPagesAtOnce, write);
 }
 
-/** How many groups of all levels hold so many boxes. */
-size_t group_count(size_t boxes, size_t width) noexcept {
-  size_t groups = 0;
-  do {
-    boxes = (boxes + width - 1) / width;
-    groups += boxes;
-  } while (boxes > 1);
-  return groups;
-}
-
 /** Calls body(i) for 0 .. count-1. */
 template <class Body>
 void for_groups(const Parallel& parallel, size_t count, const Body& body) {
@@ -153,10 +143,11 @@ void CellTree<D>::build(const Environment<D>& env, const Array<uint32_t>& cells)
 template <int D>
 void CellTree<D>::arrange(const Environment<D>& env, const Parallel& parallel) {
   set_frame(env);
+  const size_t groups = set_levels();
   groups_.clear();
-  groups_.reserve(group_count(cells_.size(), kWidth));
+  groups_.reserve(groups);
   touch(groups_.data(), array_bytes(groups_), parallel);
-  set_levels();
+  groups_.resize(groups);
   Keys keys(memory_);
   group_neighbours(env, parallel, keys);
   keep_neighbours(parallel, keys);
@@ -192,9 +183,9 @@ void CellTree<D>::put_in_order(Keys& keys) noexcept {
   }
 }
 
-/** Room for the groups of all levels. */
+/** Where the groups of each level begin. Returns how many there are. */
 template <int D>
-void CellTree<D>::set_levels() {
+size_t CellTree<D>::set_levels() noexcept {
   size_t boxes = cells_.size(), groups = 0;
   level_count_ = 0;
   do {
@@ -202,7 +193,7 @@ void CellTree<D>::set_levels() {
     level_first_[level_count_++] = static_cast<uint32_t>(groups);
     groups += boxes;
   } while (boxes > 1);
-  groups_.resize(groups);
+  return groups;
 }
 
 /** Makes groups of eight cells that follow each other. A group is kept where its box is no larger than those of its cells

@@ -200,7 +200,7 @@ class CellTree {
   struct Keys;
 
   void set_frame(const Environment<D>& env) noexcept;
-  void set_levels();
+  size_t set_levels() noexcept;
   void arrange(const Environment<D>& env, const Parallel& parallel);
   void group_neighbours(const Environment<D>& env, const Parallel& parallel, Keys& keys);
   void keep_neighbours(const Parallel& parallel, Keys& keys);

@@ -35,6 +35,7 @@ class ShortEdges {
    * unit stands above these bits. */
   const uint32_t* words() const { return words_.data(); }
   static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4, kStays = 8, kBits = 4;
+  static_assert(kMostUnits <= uint64_t{1} << (32 - kBits), "a unit has room above the bits");
   /** Whether two vertices stay in the same convex cell: 1 or 0. */
   static uint32_t share_cell(uint32_t a, uint32_t b) { return ((a ^ b) < 1u << kBits ? 1u : 0u) & (a & b) / kStays; }
   /** Whether a vertex stays in a cell that is not convex. */
@@ -47,6 +48,7 @@ class ShortEdges {
   static constexpr uint32_t kMostPairs = 2 * kMost;
   static constexpr uint32_t kAsked = 1u << 30;  // with the number of a question that is still open
   static constexpr uint32_t kSeveral = 1u << 29;
+  static_assert(kMostUnits <= kSeveral, "no unit has these bits");
   static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
 
   /** An edge, the end that goes first, the cell of the other one, and the turns at which it is there. */

@@ -279,8 +279,8 @@ double time_kept(const HullWays<D>& ways, double wanted, double most, Vec* known
     if (piece > 0) gap = gap_at(time, kInf);
     if (is_zero(gap.normal) || !is_finite<3>(gap.normal.data())) return time;
     LinearGap<D> along(ways, gap.normal);
-    for (uint32_t side = 0; piece == 0 && side < 2;
-         ++side) {  // the direction across a short gap is known badly, across a facet well
+    // The direction across a short gap is known badly, across a facet well.
+    for (uint32_t side = 0; piece == 0 && side < 2; ++side) {
       if (ways.count[side] != D) continue;
       const Vec facet = across_facet(ways, side);
       const LinearGap<D> across(ways, facet);

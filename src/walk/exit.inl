@@ -154,14 +154,8 @@ class ExitFinder {
   /** Tells of two facets that both have q outside whether the segment passes their common ridge on the side of f. 0:
    * the facets share no ridge. The cell is a tetrahedron, a pyramid or a box. */
   DSW_HOT int keeps(Cell c, uint32_t f, uint32_t g) noexcept {
-    const uint32_t* w = map_.record(c);
-    const Form form = form_of(w[0]);
-    const Ridge shared = form == Form::kSimplex   ? kTetrahedronRidges.of[f][g]
-                         : form == Form::kPyramid ? kPyramidRidges.of[f][g]
-                                                  : kBoxRidges.of[f][g];
-    if (shared.a == shared.b) return 0;
-    w += form == Form::kSimplex ? 0 : kUnitWords<D>;
-    const double* ridge[2] = {env_.point(w[shared.a] & kVertexMask), env_.point(w[shared.b] & kVertexMask)};
+    const double* ridge[2];
+    if (!shared_ridge(env_, map_.record(c), f, g, ridge)) return 0;
     return line_side<3>(p_, q_, ridge, tally_).sign;
   }
 

@@ -30,14 +30,8 @@ bool leads_into([[maybe_unused]] const Environment<D>& env, [[maybe_unused]] Cel
     if ((facets & ~(1u << f | 1u << g)) != 0) return false;
     const bool by_f = open_neighbour(env, cell, f) == next;
     if (!by_f && open_neighbour(env, cell, g) != next) return false;
-    const uint32_t* w = env.map.record(cell);
-    const Form form = form_of(w[0]);
-    const Ridge shared = form == Form::kSimplex   ? kTetrahedronRidges.of[f][g]
-                         : form == Form::kPyramid ? kPyramidRidges.of[f][g]
-                                                  : kBoxRidges.of[f][g];
-    if (shared.a == shared.b) return false;
-    w += form == Form::kSimplex ? 0 : kUnitWords<D>;
-    const double* ridge[2] = {env.point(w[shared.a] & kVertexMask), env.point(w[shared.b] & kVertexMask)};
+    const double* ridge[2];
+    if (!shared_ridge(env, env.map.record(cell), f, g, ridge)) return false;
     return (line_side<3>(from, to, ridge, NoTally{}).sign > 0) == by_f;
   } else {
     return false;

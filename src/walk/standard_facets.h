@@ -1,6 +1,7 @@
 #pragma once
 // Facets of tetrahedra, pyramids and hexahedra as constants: for code that meets them too often to ask a shape.
 
+#include "base/compiler.h"
 #include "environment/environment.h"
 
 namespace dsw {
@@ -66,6 +67,20 @@ constexpr RidgeTable<Facets> make_ridges(const uint8_t (&facets)[Facets][Vertice
 constexpr RidgeTable<4> kTetrahedronRidges = make_ridges(kTetrahedronFacets);
 constexpr RidgeTable<6> kBoxRidges = make_ridges(kBoxFacets);
 constexpr RidgeTable<5> kPyramidRidges = make_ridges(kPyramidFacets);
+
+/** The ridge that facets f and g of such a cell, with its record w, share, in the order of f. False: there is none. */
+DSW_HOT bool shared_ridge(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t g,
+                          const double* (&ridge)[2]) noexcept {
+  const Form form = form_of(w[0]);
+  const Ridge shared = form == Form::kSimplex   ? kTetrahedronRidges.of[f][g]
+                       : form == Form::kPyramid ? kPyramidRidges.of[f][g]
+                                                : kBoxRidges.of[f][g];
+  if (shared.a == shared.b) return false;
+  w += form == Form::kSimplex ? 0 : kUnitWords<3>;
+  ridge[0] = env.point(w[shared.a] & kVertexMask);
+  ridge[1] = env.point(w[shared.b] & kVertexMask);
+  return true;
+}
 
 /** Triangle `half` of facet f of a hexahedron, as its standard shape has it. */
 inline void box_triangle(const Environment<3>& env, const uint32_t* w, uint32_t f, uint32_t half,

@@ -87,18 +87,10 @@ SmallMesh mixed_lattice() {
 
 /** Columns of wedges: every cell of a lattice cut along a vertical diagonal. */
 SmallMesh wedge_lattice() {
-  const SmallMesh mesh = lattice(kSize, kHexahedron);
-  SmallMesh wedges = mesh;
-  wedges.name = "wedges";
-  wedges.types.clear();
-  wedges.offsets = {0};
-  wedges.connectivity.clear();
-  for (size_t i = 0; i < mesh.types.size(); ++i) {
-    const int64_t* c = mesh.connectivity.data() + 8 * i;
+  return divided_lattice(kSize, "wedges", [](SmallMesh& wedges, const std::vector<int64_t>& c) {
     wedges.cell(kWedge, {c[0], c[3], c[1], c[4], c[7], c[5]});
     wedges.cell(kWedge, {c[1], c[3], c[2], c[5], c[7], c[6]});
-  }
-  return wedges;
+  });
 }
 
 /** A cast and what the portable walk said of it, alone. */

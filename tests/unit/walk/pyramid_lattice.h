@@ -14,20 +14,23 @@ inline void add_pyramids(SmallMesh& mesh, const std::vector<int64_t>& cube) {
   for (const auto& face : box_faces(cube)) mesh.cell(kPyramid, {face[3], face[2], face[1], face[0], apex});
 }
 
-/** Six to a cell of a lattice. */
-inline SmallMesh pyramid_lattice(int64_t n) {
+/** A lattice whose cells are divided: `add` adds to a mesh what takes the place of a hexahedron. */
+template <class Add>
+SmallMesh divided_lattice(int64_t n, const char* name, Add add) {
   const SmallMesh mesh = lattice(n, kHexahedron);
-  SmallMesh pyramids = mesh;
-  pyramids.name = "pyramids";
-  pyramids.types.clear();
-  pyramids.offsets = {0};
-  pyramids.connectivity.clear();
+  SmallMesh divided = mesh;
+  divided.name = name;
+  divided.types.clear();
+  divided.offsets = {0};
+  divided.connectivity.clear();
   for (size_t i = 0; i < mesh.types.size(); ++i) {
     const auto first = mesh.connectivity.begin() + static_cast<std::ptrdiff_t>(8 * i);
-    const std::vector<int64_t> c(first, first + 8);
-    add_pyramids(pyramids, c);
+    add(divided, std::vector<int64_t>(first, first + 8));
   }
-  return pyramids;
+  return divided;
 }
+
+/** Six to a cell of a lattice. */
+inline SmallMesh pyramid_lattice(int64_t n) { return divided_lattice(n, "pyramids", add_pyramids); }
 
 }  // namespace dsw::testing_meshes
