@@ -1,5 +1,5 @@
 // Where hulls are close to each other for their size, a double does not tell the direction between them. Here
-// differences of points are exact, and what is reckoned from them has twice the digits.
+// differences of points are exact but for rests, and what is reckoned from them has twice the digits.
 
 #include <initializer_list>
 #include <limits>
@@ -50,8 +50,8 @@ class Search {
  public:
   explicit Search(const HullPair<D>& pair) noexcept : most_(pair.most()) {
     const double* const origin = pair.hull_b().points[0];
-    read(pair.hull_a(), origin, 1 / pair.unit(), a_, count_a_);
-    read(pair.hull_b(), origin, 1 / pair.unit(), b_, count_b_);
+    read(pair.hull_a(), pair.rest(), origin, 1 / pair.unit(), a_, count_a_);
+    read(pair.hull_b(), nullptr, origin, 1 / pair.unit(), b_, count_b_);
   }
 
   /** The nearest points: of all pairs of features whose lines or planes are nearest to each other inside of both. */
@@ -112,15 +112,16 @@ class Search {
   }
 
  private:
-  static void read(const ConvexHull& hull, const double* origin, double scale, Long* out, uint32_t& count) noexcept {
+  static void read(const ConvexHull& hull, const double* rest, const double* origin, double scale, Long* out,
+                   uint32_t& count) noexcept {
     count = hull.count;
-    const auto difference = [&](const double* p, int k) {
-      const dd::Number d = dd::sum(p[k], -origin[k]);
+    const auto difference = [&](uint32_t i, int k) {
+      dd::Number d = dd::sum(hull.points[i][k], -origin[k]);
+      if (rest != nullptr && i + 1 == count) d = dd::add(d, {rest[k], 0});
       return dd::Number{d.high * scale, d.low * scale};
     };
     for (uint32_t i = 0; i < count; ++i) {
-      const double* const p = hull.points[i];
-      out[i] = {difference(p, 0), difference(p, 1), D == 3 ? difference(p, D - 1) : dd::Number{0, 0}};
+      out[i] = {difference(i, 0), difference(i, 1), D == 3 ? difference(i, D - 1) : dd::Number{0, 0}};
     }
   }
   /** Normals of the faces of one hull; in the plane of its edges. */

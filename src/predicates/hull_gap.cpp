@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "predicates/double_double.h"
 #include "predicates/hull_pair.h"
 
 namespace dsw {
@@ -128,20 +129,55 @@ double in_units(double bound, double unit) noexcept {
   return length / unit > bound ? std::nextafter(length, 0.0) : length;
 }
 
+/** A hull with what its first point has passed on the way to `to`. */
+template <int D>
+class GrownHull {
+ public:
+  GrownHull(const ConvexHull& start, const double* to) noexcept
+      : hull_(start), to_(to), scale_(scale_to_one(largest_coordinate<D>(start.points[0], to), 200)) {
+    std::copy_n(to, D, place_);
+    hull_.points[hull_.count++] = place_;
+  }
+  GrownHull(const GrownHull&) = delete;
+  GrownHull& operator=(const GrownHull&) = delete;
+
+  /** The rest is what a double-double knows of the place and its rounding loses. */
+  void end_at(double time) noexcept {
+    const double* const from = hull_.points[0];
+    point_at<D>(from, to_, time, place_);
+    for (int k = 0; k < D; ++k) {
+      const double start = scale_ * from[k];
+      const dd::Number way = dd::multiply(dd::sum(scale_ * to_[k], -start), {time, 0});
+      const double rest = dd::add(dd::add(way, {start, 0}), {-scale_ * place_[k], 0}).high / scale_;
+      rest_[k] = std::isfinite(rest) ? rest : 0;
+    }
+  }
+
+  HullPair<D> beside(const ConvexHull& other) const noexcept { return {hull_, other, rest_}; }
+
+ private:
+  ConvexHull hull_;
+  const double* to_;
+  double scale_;  // for products that do not over- or underflow
+  double place_[D], rest_[D] = {};
+};
+
 }  // namespace
 
 template <int D>
-HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b) noexcept : hull_a_(a), hull_b_(b) {
+HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest) noexcept
+    : hull_a_(a), hull_b_(b), rest_(rest) {
   const double* const origin = b.points[0];
   double size = 0;
-  const auto read = [&](const ConvexHull& hull, Vec* out) {
+  const auto read = [&](const ConvexHull& hull, const double* beside, Vec* out) {
     for (uint32_t i = 0; i < hull.count; ++i) {
       out[i] = difference<D>(hull.points[i], origin);
+      if (beside != nullptr && i + 1 == hull.count) out[i] += to_vec<D>(beside);
       size = std::max(size, largest(out[i]));
     }
   };
-  read(a, a_);
-  read(b, b_);
+  read(a, rest, a_);
+  read(b, nullptr, b_);
   is_finite_ = std::isfinite(size);
   if (!is_finite_ || size == 0) return;
   int exponent;
@@ -176,9 +212,9 @@ HullCorner HullPair<D>::support(const Vec& direction) const noexcept {
   return corner(i, k);
 }
 
-/** Let u be 2^-53. A difference, a product and two sums lose at most 4 u of the sum of magnitudes, and less than
- * 2^-1000 among denormal numbers. 2^-50 of that sum is twice as much as both hulls lose. The length of the direction
- * loses 3 u, and the quotient 1 u. */
+/** Let u be 2^-53. A difference, a product and two sums lose at most 4 u of the sum of magnitudes, one more with a rest, and less than
+ * 2^-1000 among denormal numbers. 2^-50 of that sum is more than both hulls lose, of which one has a rest at most. The length of the
+ * direction loses 3 u, and the quotient 1 u. */
 template <int D>
 double HullPair<D>::bound_in(const Vec& direction) const noexcept {
   const double size = largest(direction);
@@ -193,13 +229,14 @@ double HullPair<D>::bound_in(const Vec& direction) const noexcept {
   return (beyond * (1 - 0x1p-50)) / (std::sqrt(dot(d, d)) * (1 + 0x1p-50));
 }
 
+namespace {
+
 template <int D>
-HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept {
+HullGap find_gap_of(const HullPair<D>& pair, double enough, double least) noexcept {
   constexpr int kMostSteps = 32;
   constexpr double kDecided = 0x1p-47;    // of the size; coordinates are at most 1
   constexpr double kHidden = 0x1p-31;     // of the distance
   constexpr double kUndecided = 0x1p-36;  // of the distance, if the bound is below `least`
-  const HullPair<D> pair(a, b);
   HullGap gap;
   if (!pair.is_finite()) return gap;
   enough /= pair.unit();
@@ -243,6 +280,13 @@ HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double
   return gap;
 }
 
+}  // namespace
+
+template <int D>
+HullGap find_gap(const ConvexHull& a, const ConvexHull& b, double enough, double least) noexcept {
+  return find_gap_of(HullPair<D>(a, b), enough, least);
+}
+
 template <int D>
 bool are_surely_apart(const ConvexHull& a, const ConvexHull& b) noexcept {
   constexpr int kMostSteps = 6;
@@ -276,12 +320,9 @@ template <int D>
 double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept {
   constexpr int kMostSteps = 200;
   constexpr double kDecided = 0x1p-48;
-  double place[D];
-  ConvexHull moved = a;
-  moved.points[moved.count++] = place;
+  GrownHull<D> moved(a, to);
   // The whole way. Where that is free nothing else is asked.
-  std::copy_n(to, D, place);
-  const HullGap whole = find_gap<D>(moved, b, distance, distance);
+  const HullGap whole = find_gap_of(moved.beside(b), distance, distance);
   if (whole.bound >= distance) return 1;
   *at = find_gap<D>(a, b, kInfinity, distance);
   if (!(at->bound >= distance)) return 0;
@@ -299,8 +340,8 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
       time = low > high / 16 ? low + between / 2 : low > 0 ? std::sqrt(low) * std::sqrt(high) : high * shrink;
     }
     if (!(time > low && time < high)) break;
-    point_at<D>(a.points[0], to, time, place);
-    const HullGap gap = find_gap<D>(moved, b, kInfinity, distance);
+    moved.end_at(time);
+    const HullGap gap = find_gap_of(moved.beside(b), kInfinity, distance);
     const int side = gap.bound >= distance ? 1 : -1;
     repeated = side == last && repeated < 2 ? repeated + 1 : 0;
     last = side;
@@ -314,10 +355,18 @@ double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, do
       under = distance - std::min(gap.distance, distance);
     }
   }
-  point_at<D>(a.points[0], to, low, place);
-  const HullPair<D> pair(moved, b);
+  moved.end_at(low);
+  const HullPair<D> pair = moved.beside(b);
   if (at->distance < kSmall * pair.unit()) find_points(pair, *at);
   return low;
+}
+
+template <int D>
+bool are_far_apart_until(const ConvexHull& a, const double* to, double time, const ConvexHull& b,
+                         double distance) noexcept {
+  GrownHull<D> moved(a, to);
+  moved.end_at(time);
+  return find_gap_of(moved.beside(b), distance, distance).bound >= distance;
 }
 
 template class HullPair<2>;
@@ -326,5 +375,6 @@ DSW_INSTANTIATE(find_gap);
 DSW_INSTANTIATE(are_surely_apart);
 DSW_INSTANTIATE(find_gap_at_ends);
 DSW_INSTANTIATE(time_apart);
+DSW_INSTANTIATE(are_far_apart_until);
 
 }  // namespace dsw

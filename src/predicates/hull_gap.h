@@ -56,4 +56,10 @@ GapAtEnds find_gap_at_ends(const ConvexHull (&start)[2], const ConvexHull (&end)
 template <int D>
 double time_apart(const ConvexHull& a, const double* to, const ConvexHull& b, double distance, HullGap* at) noexcept;
 
+/** Whether it is certain that hull `a`, and all that its first point has passed, are at least `distance` apart from hull `b` when this point has
+ * gone the share `time` of its way to `to`. Its place on the way is a double-double. */
+template <int D>
+bool are_far_apart_until(const ConvexHull& a, const double* to, double time, const ConvexHull& b,
+                         double distance) noexcept;
+
 }  // namespace dsw

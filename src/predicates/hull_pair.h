@@ -18,16 +18,18 @@ struct HullDirection {
 };
 
 /** Two hulls as differences from a point of the second, in a power of two as unit: coordinates are at most 1. Each is
- * rounded once. */
+ * rounded once, a place with a rest twice. */
 template <int D>
 class HullPair {
  public:
-  HullPair(const ConvexHull& a, const ConvexHull& b) noexcept;
+  /** @param rest null, or where the last point of the first hull lies beside its rounded place. */
+  HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest = nullptr) noexcept;
 
   bool is_finite() const noexcept { return is_finite_; }
   double unit() const noexcept { return unit_; }
   const ConvexHull& hull_a() const noexcept { return hull_a_; }
   const ConvexHull& hull_b() const noexcept { return hull_b_; }
+  const double* rest() const noexcept { return rest_; }
   HullCorner corner(uint32_t i, uint32_t k) const noexcept { return {a_[i] - b_[k], i, k}; }
   /** Magnitudes: of the largest coordinates of both. */
   const Vec& most() const noexcept { return most_; }
@@ -38,6 +40,7 @@ class HullPair {
 
  private:
   ConvexHull hull_a_, hull_b_;
+  const double* rest_;
   bool is_finite_ = false;
   double unit_ = 1;
   Vec a_[ConvexHull::kMost], b_[ConvexHull::kMost];

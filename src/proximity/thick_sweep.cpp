@@ -263,11 +263,7 @@ void ThickSweep<D>::name_thing(const Swept& swept, const HullGap& gap, const Thi
 template <int D>
 bool ThickSweep<D>::keeps_until(ConvexHull start, const double* to, double time, const Thing& thing) noexcept {
   constexpr double kRoom = 0x1p-20;
-  if (!(time + kRoom < 1)) return false;
-  double place[D];
-  point_at<D>(start.points[0], to, time + kRoom, place);
-  start.points[start.count++] = place;
-  return are_far_apart<D>(start, thing.hull, thing.wanted);
+  return time + kRoom < 1 && are_far_apart_until<D>(start, to, time + kRoom, thing.hull, thing.wanted);
 }
 
 template <int D>

@@ -81,8 +81,9 @@ inline std::vector<std::string> sweep_scene_names() {
   for (const SceneKind& kind : sweep_scenes()) names.emplace_back(kind.name);
   return names;
 }
-#define DSW_FOR_ALL_SWEEP_SCENES(name)                                                     \
-  INSTANTIATE_TEST_SUITE_P(All, name, testing::ValuesIn(dsw::oracle::sweep_scene_names()), \
+#define DSW_FOR_ALL_SWEEP_SCENES(name)                                                                         \
+  INSTANTIATE_TEST_SUITE_P(All, name,                                                                          \
+                           testing::ValuesIn(dsw::oracle::drawn_for(#name, dsw::oracle::sweep_scene_names())), \
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
 
 /// How much must be seen in a scene. Slivers are so thin that rounding leaves no room for a radius.

@@ -426,7 +426,8 @@ class ThickScene {
     std::string text;
     mpq_class kept;
     std::unique_ptr<Limit> limit;
-    for_each_foe(i, part, 1, false, [&](const mpq_class& keep, const Hull& foe, int other) {
+    const double reach = std::max(1.0, 1.001 * share.get_d());  // boxes leave out nothing that a share above 1 lets in
+    for_each_foe(i, part, reach, false, [&](const mpq_class& keep, const Hull& foe, int other) {
       if (!text.empty()) return;
       if (limit == nullptr || kept != keep) {
         limit = std::make_unique<Limit>(keep, share);

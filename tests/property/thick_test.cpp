@@ -144,5 +144,69 @@ TEST_P(ThickPlaneTest, BodiesKeepTheirRadius) {
   EXPECT_GE(tally.moves, least_of(GetParam(), effort_of(20)));
 }
 
+/// The square of the distance of a wall's point from what an edge sweeps, up to a time at which no place is rounded.
+mpq_class square_at(const Vec& from, const Vec& to, double time, const Vec& fixed, const Vec& wall) {
+  using Point = Nearest<mpq_class>::Point;
+  const auto exact = [](const Vec& p) { return Point{mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])}; };
+  Point place = exact(from);
+  for (size_t k = 0; k < 3; ++k) place[k] += mpq_class(time) * (mpq_class(to[k]) - mpq_class(from[k]));
+  return Nearest<mpq_class>({exact(from), exact(fixed), place}, {exact(wall)}).square;
+}
+
+/// An edge and one marked vertex, in quads with coordinates of which the last digit is 1. The radius is far less. Places on the way are
+/// not doubles; still the time is that of the way as it is.
+TEST(ThickContactTest, TimesAreRightWhereTheRadiusIsBelowTheLastDigits) {
+  const double first = 0x1p52;
+  const Vec wall = {first + 237, first + 489, 0};
+  std::vector<double> points;
+  for (int i = 0; i < 9; ++i) {
+    points.insert(points.end(), {first + 512 * (i % 3), first + 512 * (i / 3)});
+  }
+  std::copy_n(wall.begin(), 2, points.begin() + 8);
+  const std::vector<int32_t> corners = {0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7};
+  const EnvironmentPtr environment = create_from(uniform_desc(2, DSW_CELL_TYPE_QUAD, 4, points, corners));
+  ASSERT_NE(environment, nullptr);
+  dsw_vertex_id id;
+  ASSERT_EQ(dsw_environment_get_vertex_id(environment.get(), 4, &id), DSW_STATUS_OK);
+  ASSERT_EQ(dsw_environment_mark_vertices(environment.get(), &id, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  const ScenePtr scene = make_scene(environment.get());
+  Rng rng(52);
+  int touches = 0, arrivals = 0;
+  for (int i = 0; i < at_least(200); ++i) {
+    const auto place = [&] { return Vec{first + rng.between(2, 1022), first + rng.between(2, 1022), 0}; };
+    Vec from = place(), to = place(), fixed = place();
+    if (i == 0)
+      from = {first + 673, first + 93, 0}, to = {first + 78, first + 633, 0}, fixed = {first + 900, first + 800, 0};
+    if (i % 2 == 1) to = {2 * wall[0] - from[0] + rng.between(-2, 2), 2 * wall[1] - from[1] + rng.between(-2, 2), 0};
+    if (std::max(to[0], to[1]) > first + 1022 || std::min(to[0], to[1]) < first + 2) continue;
+    const double radius = 0x1p-8 * rng.range(1, 2);
+    BodyPlan plan;
+    plan.at = {from, fixed};
+    plan.edges = {{0, 1}};
+    dsw_body_id body;
+    if (create_body(scene.get(), plan, DSW_LEVEL_EDGES, 0, {}, &body, radius) != DSW_STATUS_OK) continue;
+    SCOPED_TRACE(hex(from) + " to " + hex(to) + " from " + hex(fixed) + " radius " + number(radius));
+    BodyAnswer answer;
+    ASSERT_EQ(move_body(scene.get(), body, {to, fixed}, nullptr, answer), "");
+    ASSERT_EQ(dsw_body_destroy(scene.get(), body), DSW_STATUS_OK);
+    const Vec end = answer.after.at[0];
+    EXPECT_FALSE(is_nearer({from, fixed, end}, {wall}, Limit(mpq_class(radius), kKept)));
+    const auto is_near_at = [&](double time, const mpq_class& share) {
+      return square_at(from, to, time, fixed, wall) < Limit(mpq_class(radius), share).square;
+    };
+    if (answer.contacts.empty()) {
+      ++arrivals;
+      EXPECT_EQ(end, to);
+      continue;
+    }
+    ++touches;
+    const double time = answer.contacts[0].time;
+    EXPECT_FALSE(is_near_at(time, kKept)) << "too late at " << number(time);
+    EXPECT_TRUE(is_near_at(std::min(1.0, time * (1 + 1e-9)), more_by(30))) << "too early at " << number(time);
+  }
+  EXPECT_GT(touches, at_least(20));
+  EXPECT_GT(arrivals, at_least(20));
+}
+
 }  // namespace
 }  // namespace dsw::oracle

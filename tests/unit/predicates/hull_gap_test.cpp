@@ -81,6 +81,18 @@ double between(const Points& a, const double* weights, const Points& b, const do
   return oracle::root(square).get_d();
 }
 
+/// The square of the distance between a hull, to which an exact place on the way of its first point is added, and another hull.
+mpq_class square_of_grown(const Points& a, const oracle::Vec& to, double time, const Points& b) {
+  using Point = oracle::Nearest<mpq_class>::Point;
+  std::vector<Point> grown, other;
+  for (const oracle::Vec& p : a) grown.push_back({mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])});
+  for (const oracle::Vec& p : b) other.push_back({mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])});
+  Point place = grown[0];
+  for (size_t k = 0; k < 3; ++k) place[k] += mpq_class(time) * (mpq_class(to[k]) - place[k]);
+  grown.push_back(place);
+  return oracle::Nearest<mpq_class>(grown, other).square;
+}
+
 TEST_P(HullGapTest, BoundsTheDistanceFromBelowAndClosely) {
   for (int i = 0; i < at_least(400); ++i) {
     Points a, b;
@@ -147,33 +159,31 @@ TEST_P(HullGapTest, AHullGrowsUntilItComesTooNear) {
     if (!(wanted > 0) || !are_far_apart<3>(hull_of(a), hull_of(b), wanted)) continue;
     HullGap at;
     const double time = time_apart<3>(hull_of(a), to.data(), hull_of(b), wanted, &at);
-    const auto grown = [&](double t) {
-      Points hull = a;
-      hull.push_back(a[0]);
-      point_at<3>(a[0].data(), to.data(), t, hull.back().data());
-      return hull;
-    };
     ASSERT_TRUE(time >= 0 && time <= 1) << i;
-    ASSERT_TRUE(are_far_apart<3>(hull_of(grown(time)), hull_of(b), wanted)) << i;
+    double largest = 0;
+    for (size_t k = 0; k < 3; ++k) largest = std::max({largest, std::fabs(a[0][k]), std::fabs(to[k])});
+    const auto distance_at = [&](double t) { return oracle::root(square_of_grown(a, to, t, b)).get_d(); };
+    ASSERT_GE(distance_at(time), wanted * (1 - 0x1p-48) - 0x1p-99 * largest - 0x1p-1072) << i;
     if (time == 1) continue;
+    ASSERT_TRUE(are_far_apart_until<3>(hull_of(a), to.data(), time, hull_of(b), wanted)) << i;
     ASSERT_GE(at.bound, wanted) << i;
     ASSERT_NEAR(length(at.normal), 1, 1e-12) << i;
-    const double reached = between(grown(time), at.weights, b, at.other_weights);
-    ASSERT_LE(reached, exact(grown(time), b) * (1 + 0x1p-20) + 0x1p-46 * size_of(a, b)) << i;
-    double largest = 0, way = 0;
-    for (size_t k = 0; k < 3; ++k) {
-      largest = std::max({largest, std::fabs(a[0][k]), std::fabs(to[k])});
-      way = std::max(way, std::fabs(to[k] - a[0][k]));
-    }
-    const double later = time * (1 + 0x1p-40) + 0x1p-48 * largest / way;  // some places of doubles farther
-    ASSERT_TRUE(later >= 1 || exact(grown(later), b) < wanted * (1 + 0x1p-29) + 0x1p-48 * size_of(a, b)) << i << time;
+    Points grown = a;
+    grown.push_back(a[0]);
+    point_at<3>(a[0].data(), to.data(), time, grown.back().data());
+    const double reached = between(grown, at.weights, b, at.other_weights);
+    ASSERT_LE(reached, exact(grown, b) * (1 + 0x1p-20) + 0x1p-46 * size_of(a, b) + 0x1p-51 * largest) << i;
+    const double later = time * (1 + 0x1p-40) + 0x1p-50;
+    ASSERT_TRUE(later >= 1 || distance_at(later) < wanted * (1 + 0x1p-29) + 0x1p-68 * size_of(a, b))
+        << i << ' ' << time;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, HullGapTest,
                          testing::Values(Family{"random"}, Family{"lattice", 1, 1, 0, true}, Family{"thin", 1, 1e4},
                                          Family{"flat", 1, 1e-6}, Family{"very_thin", 1, 1e9}, Family{"far", 1, 1, 1e9},
-                                         Family{"huge", 1e300}, Family{"tiny", 1e-300}),
+                                         Family{"last_digits", 1024, 1, 0x1p42}, Family{"huge", 1e300},
+                                         Family{"tiny", 1e-300}),
                          [](const auto& made) { return std::string(made.param.name); });
 
 /// The bound of a denormal distance is not above it, and as close to it as other bounds are.

@@ -118,7 +118,7 @@ TurningCase<D> scaled_by(TurningCase<D> c, int bits) {
 template <int D>
 void lengths_may_be_of_any_size(PairKind kind) {
   Random random(88);
-  const auto cases = static_cast<std::uint64_t>(effort_of(64));
+  const auto cases = static_cast<std::uint64_t>(std::max(16, effort_of(64)));
   std::uint64_t touching = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
     const auto family = i % 2 == 0 ? TurningFamily::kRandom : TurningFamily::kHinged;
