@@ -26,10 +26,11 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
   return !env.has_moved() || (is_valid(cell) && is_valid(next)) ? next : Cell{};
 }
 
-/** Whether a way leaves the cell through a facet whose open neighbour is `next`. The way starts in the cell, or comes into it. Its
- * end lies outside of exactly two facets: those of `facets`, a bit each. */
+/** For two ways to one end, a bit each: whether it leaves the cell through a facet whose open neighbour is `next`. Each way starts
+ * in the cell, or comes into it. The end lies outside of exactly two facets: those of `facets`, a bit each. Asks of the ways of
+ * `asked` alone, a bit each. */
 template <int D>
-bool leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* from, const double* to,
-                Cell next) noexcept;
+uint32_t leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
+                    const double* to, Cell next, uint32_t asked) noexcept;
 
 }  // namespace dsw

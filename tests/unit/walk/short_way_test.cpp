@@ -26,6 +26,7 @@ constexpr uint32_t kWays = kPacket;
 
 struct Seen {
   size_t one = 0, two = 0, open = 0, led = 0;
+  size_t apart = 0;  // from two starts into different cells
 };
 
 uint32_t facets_outside(const Environment<3>& env, Cell cell, const double* point) {
@@ -52,8 +53,15 @@ Cell second_cell(const Environment<3>& env, Cell cell, const double* from, const
   return crossings.empty() ? Cell{} : Cell{crossings[0].to};
 }
 
-void check_way(const Environment<3>& env, Cell cell, uint32_t facets, const double* from, const double* to,
-               Seen& seen) {
+/** Whether a way from anywhere to a point beyond two facets passes the ridge that they share on the side of one of them. */
+bool passes_by(const Environment<3>& env, Cell cell, uint32_t f, uint32_t g, const double* from, const double* to) {
+  const double* ridge[2];
+  if (!shared_ridge(env, env.map.record(cell), std::min(f, g), std::max(f, g), ridge)) return false;
+  return (line_side<3>(from, to, ridge, NoTally{}).sign > 0) == (f < g);
+}
+
+void check_way(const Environment<3>& env, Cell cell, uint32_t facets, const double* from, const double* other,
+               const double* to, Seen& seen) {
   if (facets == 0) return;
   EXPECT_EQ(facets, facets_outside(env, cell, to));
   const Cell second = second_cell(env, cell, from, to);
@@ -68,10 +76,18 @@ void check_way(const Environment<3>& env, Cell cell, uint32_t facets, const doub
     }
   } else if ((rest & (rest - 1)) == 0) {
     ++seen.two;
-    for (const uint32_t f : {lowest_bit(facets), lowest_bit(rest)}) {
+    const uint32_t pair[2] = {lowest_bit(facets), lowest_bit(rest)};
+    for (const uint32_t f : pair) {
       const Cell next = open_neighbour(env, cell, f);
       if (!next.valid()) continue;
-      const bool leads = leads_into(env, cell, facets, from, to, next);
+      const double* const ways[2] = {from, other};
+      const uint32_t both = leads_into(env, cell, facets, ways, to, next, 3);
+      const uint32_t g = f == pair[0] ? pair[1] : pair[0];
+      for (uint32_t i = 0; i < 2; ++i) EXPECT_EQ((both >> i & 1) != 0, passes_by(env, cell, f, g, ways[i], to));
+      seen.apart += (both & 1) != both >> 1 ? 1 : 0;
+      EXPECT_EQ(leads_into(env, cell, facets, ways, to, next, 1), both & 1);
+      EXPECT_EQ(leads_into(env, cell, facets, ways, to, next, 2), both & 2);
+      const bool leads = (both & 1) != 0;
       seen.led += leads ? 1 : 0;
       // A ridge that the two do not share tells nothing.
       if (leads) {
@@ -101,7 +117,8 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
       SCOPED_TRACE(walk.name);
       uint8_t facets[kWays];
       walk.walk.find_outside(env, cells, points, kWays, facets);
-      for (uint32_t i = 0; i < kWays; ++i) check_way(env, cells[i], facets[i], from[i], to[i], seen);
+      for (uint32_t i = 0; i < kWays; ++i)
+        check_way(env, cells[i], facets[i], from[i], from[(i + 1) % kWays], to[i], seen);
     }
   }
   return seen;
@@ -122,6 +139,7 @@ TEST(ShortWay, IsTheWayOfACast) {
     EXPECT_GE(seen.two, least);
     EXPECT_GE(seen.open, seen.one / 3);
     EXPECT_GE(seen.led, seen.two / 3);
+    EXPECT_GE(seen.apart, seen.two / 20);
   }
 }
 
