@@ -226,6 +226,8 @@ list(APPEND dsw_sources
   response/edge_pass.cpp
   response/edge_sieve.cpp
   response/insertion.cpp
+  response/inwards.cpp
+  response/inwards_avx2.cpp
   response/rigid_move.cpp
   response/rigid_touches.cpp
   response/rigid_way.cpp
@@ -233,6 +235,8 @@ list(APPEND dsw_sources
   response/touch_record.cpp
   response/touched_planes.cpp
   response/touched_walls.cpp
+  response/turn_words.cpp
+  response/turn_words_avx2.cpp
   response/turning_move.cpp
   response/turns.cpp
   response/vertex_move.cpp
@@ -242,6 +246,7 @@ list(APPEND dsw_sources
 list(APPEND dsw_sources
   together/body_ways.cpp
   together/describe.cpp
+  together/far_edges.cpp
   together/held_points.cpp
   together/hull_ways.cpp
   together/kept_sides.cpp

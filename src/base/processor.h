@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "base/compiler.h"
+
 namespace dsw {
 
 /** Instructions that code may use: each of them, and those before. */
@@ -30,6 +32,13 @@ Instructions most_instructions() noexcept;
 inline bool has_avx2() noexcept { return most_instructions() >= Instructions::kAvx2; }
 inline bool has_avx512() noexcept { return most_instructions() >= Instructions::kAvx512; }
 bool has_avx2_and_fma() noexcept;
+
+/** Gives name_avx2 where this processor has AVX2, else name. */
+#if DSW_X86_64
+#define DSW_WITH_AVX2(name) (::dsw::has_avx2() ? name##_avx2 : name)
+#else
+#define DSW_WITH_AVX2(name) (name)
+#endif
 
 /** The instructions that cells of each kind are walked through by. Any thread may read while one sets. */
 class Kernels {

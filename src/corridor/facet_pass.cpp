@@ -46,25 +46,7 @@ bool keeps_to_facet(const double* const* corners, const EdgeWay& edge) noexcept 
   return true;
 }
 
-namespace {
-
-KeepsToFacet choose_keeps_to_facet() noexcept {
-#if DSW_X86_64
-  if (has_avx2()) return keeps_to_facet_avx2;
-#endif
-  return keeps_to_facet;
-}
-
-PassesFacet choose_passes_facet() noexcept {
-#if DSW_X86_64
-  if (has_avx2()) return passes_facet_avx2;
-#endif
-  return passes_facet;
-}
-
-}  // namespace
-
-const PassesFacet kPassesFacet = choose_passes_facet();
-const KeepsToFacet kKeepsToFacet = choose_keeps_to_facet();
+const PassesFacet kPassesFacet = DSW_WITH_AVX2(passes_facet);
+const KeepsToFacet kKeepsToFacet = DSW_WITH_AVX2(keeps_to_facet);
 
 }  // namespace dsw

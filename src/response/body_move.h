@@ -59,7 +59,7 @@ class BodyMove {
   void go_on(const MoveSettings& settings, MoveRecord& record);
   void disturb(uint32_t v);
   void look_ahead(bool slides);
-  void test_untested(uint32_t v, bool is_pass);
+  void test_untested(uint32_t v, bool is_pass, bool is_whole);
   void keep_untested();
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
@@ -81,6 +81,7 @@ class BodyMove {
     uint8_t untested;
   };
   Array<Left> left_{env_.memory};  // edges of a vertex that moves alone, whose other ends have their turns later
+  Array<uint32_t> known_free_{env_.memory};   // edges of left_ that are known to be free where they are
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<BodyVertex<D>> here_{env_.memory};    // where a step began
   Array<double> places_{env_.memory};         // of all vertices, in a step

@@ -1,5 +1,7 @@
 #include "response/course_casts.h"
 
+#include "base/search.h"
+
 namespace dsw {
 
 template <int D>
@@ -67,10 +69,11 @@ void CourseCasts<D>::run_edges() {
   packet_.clear();
 }
 
-/** Calls visit(edge) for each edge of a vertex that is not free where it is, until it returns false; whether it never did. */
+/** Calls visit(edge) for each edge of a vertex for which asks(edge) holds and that is not free where it is, until it returns false;
+ * whether it never did. */
 template <int D>
-template <class Visit>
-bool CourseCasts<D>::visit_blocked(uint32_t v, Visit visit) {
+template <class Asks, class Visit>
+bool CourseCasts<D>::visit_blocked(uint32_t v, Asks asks, Visit visit) {
   const Body<D>& body = *course_.motion.body;
   if (!body.has_vertex(v)) return true;
   const BodyVertex<D>& at = body.vertices[v];
@@ -81,6 +84,7 @@ bool CourseCasts<D>::visit_blocked(uint32_t v, Visit visit) {
     packet_.clear();
   };
   for_each_edge(body, v, [&](uint32_t e) {
+    if (!asks(e)) return true;
     const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
     edges_[packet_.count()] = e;
     packet_.add(env_, at.cell, at.position, other.position).end = other.cell;
@@ -93,17 +97,21 @@ bool CourseCasts<D>::visit_blocked(uint32_t v, Visit visit) {
 
 template <int D>
 bool CourseCasts<D>::is_star_free(uint32_t v) {
-  return visit_blocked(v, [](uint32_t) { return false; });
+  return visit_blocked(
+      v, [](uint32_t) { return true; }, [](uint32_t) { return false; });
 }
 
 template <int D>
-void CourseCasts<D>::test_star(uint32_t v) {
+void CourseCasts<D>::test_star(uint32_t v, const Array<uint32_t>& known_free) {
   Array<uint8_t>& untested = course_.motion.body->untested;
   for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
     untested[e] = 0;
     return true;
   });
-  visit_blocked(v, [&](uint32_t e) {
+  const auto asks = [&](uint32_t e) {
+    return dsw::none_of(known_free.begin(), known_free.end(), [e](uint32_t known) { return known == e; });
+  };
+  visit_blocked(v, asks, [&](uint32_t e) {
     untested[e] = 1;
     return true;
   });

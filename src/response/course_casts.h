@@ -50,13 +50,14 @@ class CourseCasts {
   void run_edges();
   /** Whether all edges of a vertex are free where they are. */
   bool is_star_free(uint32_t v);
-  /** Finds out which edges of a vertex are free where they are, for a body that keeps a list of edges that may not be. */
-  void test_star(uint32_t v);
+  /** Finds out which edges of a vertex are free where they are, for a body that keeps a list of edges that may not be.
+   * @param known_free edges of the vertex that need no test; may be empty. */
+  void test_star(uint32_t v, const Array<uint32_t>& known_free);
 
  private:
   void run();
-  template <class Visit>
-  bool visit_blocked(uint32_t v, Visit visit);
+  template <class Asks, class Visit>
+  bool visit_blocked(uint32_t v, Asks asks, Visit visit);
 
   const Environment<D>& env_;
   const SimplexSweep<D>& sweeps_;

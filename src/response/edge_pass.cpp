@@ -62,6 +62,7 @@ void EdgePass<D>::pass_places() {
 template <int D>
 template <BackEdges Back>
 void EdgePass<D>::count_plain(uint64_t which) {
+  if (which == 0) return;
   const uint32_t tests = 2 * bit_count(which);
   uint32_t left_tests = 0;
   sweeps_.counts.swept += tests;
@@ -70,6 +71,10 @@ void EdgePass<D>::count_plain(uint64_t which) {
     for (; which != 0; which &= which - 1) {
       const uint32_t e = sieve_.begin()[lowest_bit(which)];
       const BodyEdge& edge = body.edges[e];
+      if (sieve_.goes_outwards(edge)) {
+        if (Back == BackEdges::kLeft) body.untested[e] = 0;
+        continue;
+      }
       const Left left =
           left_out<Back>(course_.vertices[edge.ends[0]], course_.vertices[edge.ends[1]], edge.faces[1] != kNone);
       left_tests += left.tests;

@@ -6,6 +6,7 @@
 
 #include "base/compiler.h"
 #include "base/vec.h"
+#include "response/inwards.h"
 #include "sweep/clearance.h"
 
 namespace dsw {
@@ -47,26 +48,19 @@ void EdgeSieve<D>::measure_clearances() {
 }
 
 /** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were
- * when the move began. In doubles: what is left out by this is cast where it arrives, or listed. A face none of whose
- * corners can go inwards any more is not looked at. */
+ * when the move began. In doubles: what is left out by this is cast where it arrives, or listed. */
 template <int D>
 void EdgeSieve<D>::find_inwards() {
   const Body<D>& body = *course_.motion.body;
   Vertex* const vertices = course_.vertices.data();
-  const PointArray targets = course_.motion.targets;
-  for (const uint32_t v : course_.order) vertices[v].inwards = course_.moves(v);
-  for (const BodyFace& face : body.faces) {
-    const uint32_t a = face.corners[0], b = face.corners[1], c = face.corners[2];
-    if (a == kNone || !(vertices[a].inwards || vertices[b].inwards || vertices[c].inwards)) continue;
-    const double *const p = body.position(a), *const q = body.position(b), *const r = body.position(c);
-    const Vec normal = difference<D>(q, p).cross(difference<D>(r, p));
-    // Without branches on what nobody can predict. Of one that stays nothing is changed, whatever its target is.
-    const auto goes_in = [&](uint32_t v, const double* from) {
-      return dot(difference<D>(targets[v], from), normal) < 0;
-    };
-    vertices[a].inwards &= goes_in(a, p);
-    vertices[b].inwards &= goes_in(b, q);
-    vertices[c].inwards &= goes_in(c, r);
+  for (const uint32_t v : course_.order) vertices[v].inwards = vertices[v].rank != kNone;
+  if constexpr (D == 3) {
+    ways_.resize(4 * body.vertices.size());
+    double* const ways = ways_.data();
+    for (const uint32_t v : course_.order) {
+      store<D>(difference<D>(course_.motion.targets[v], body.position(v)), ways + 4 * size_t{v});
+    }
+    kKeepInwards(body.faces.data(), body.faces.size(), body.vertices.data(), ways, vertices);
   }
 }
 
@@ -109,24 +103,13 @@ void EdgeSieve<D>::sift() {
  * or is in doubt, are few: they are looked at apart. */
 template <int D>
 typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t count, bool skips_back) const {
-  using Short = ShortEdges<D>;
-  constexpr uint32_t kPlain = Short::kMoves | Short::kSure;
   const BodyEdge* const edges = course_.motion.body->edges.data() + first;
   const uint32_t* const words = short_.words();
+  const EdgeBits bits = kReadTurnWords(edges, count, words);
   Sifted sifted;
-  uint64_t shared = 0, inwards = 0, odd = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t v = edges[i].ends[0];
-    if (v == kNone) continue;
-    const uint32_t a = words[v], b = words[edges[i].ends[1]], both = a & b;
-    shared |= uint64_t{Short::share_cell(a, b)} << i;
-    inwards |= uint64_t{both / Short::kInwards & 1} << i;
-    odd |= uint64_t{(both & kPlain) != kPlain ? 1u : 0u} << i;
-    sifted.kept |= uint64_t{1} << i;
-  }
-  sifted.inside = shared & ~odd;
+  sifted.inside = bits.shared & ~bits.odd;
   if (skips_back) {
-    for (uint64_t rest = inwards & ~shared & ~odd; rest != 0; rest &= rest - 1) {
+    for (uint64_t rest = bits.inwards & ~bits.shared & ~bits.odd; rest != 0; rest &= rest - 1) {
       const uint32_t i = lowest_bit(rest);
       sifted.back |= uint64_t{edges[i].faces[1] != kNone ? 1u : 0u} << i;
     }
@@ -134,39 +117,48 @@ typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t 
          rest &= rest - 1) {
       const uint32_t i = lowest_bit(rest), either = words[edges[i].ends[0]] | words[edges[i].ends[1]];
       const uint32_t closed = edges[i].faces[1] != kNone ? 1 : 0;
-      sifted.inwards |= uint64_t{closed & either / Short::kInwards} << i;
+      sifted.inwards |= uint64_t{closed & either / TurnWord::kInwards} << i;
     }
   }
-  sifted.kept &= ~(sifted.inside | sifted.back | odd);
-  for (; odd != 0; odd &= odd - 1) sift_odd(edges[lowest_bit(odd)], uint64_t{1} << lowest_bit(odd), skips_back, sifted);
+  sifted.kept = bits.used & ~(sifted.inside | sifted.back | bits.odd);
+  for (uint64_t odd = bits.odd; odd != 0; odd &= odd - 1) {
+    sift_odd(edges[lowest_bit(odd)], uint64_t{1} << lowest_bit(odd), skips_back, sifted);
+  }
   return sifted;
 }
 
 /** What becomes of an edge one of whose ends does not move or is in doubt. */
 template <int D>
 void EdgeSieve<D>::sift_odd(const BodyEdge& edge, uint64_t bit, bool skips_back, Sifted& sifted) const {
-  using Short = ShortEdges<D>;
   const uint32_t a = short_.words()[edge.ends[0]], b = short_.words()[edge.ends[1]], both = a & b;
-  if (((a | b) & Short::kMoves) == 0) return;
-  const bool closed = skips_back && edge.faces[1] != kNone, sure = (both & Short::kSure) != 0;
-  const bool inside = sure && Short::share_cell(a, b) != 0;
-  const bool back = sure && !inside && closed && (both & Short::kInwards) != 0;
+  if (((a | b) & TurnWord::kMoves) == 0) return;
+  const bool closed = skips_back && edge.faces[1] != kNone, sure = (both & TurnWord::kSure) != 0;
+  const bool inside = sure && TurnWord::share_cell(a, b) != 0;
+  const bool back = sure && !inside && closed && (both & TurnWord::kInwards) != 0;
   if (inside) sifted.inside |= bit;
   if (back) sifted.back |= bit;
   if (!inside && !back) sifted.kept |= bit;
-  if ((inside || back) && ((a ^ b) & Short::kMoves) != 0) sifted.one_stays |= bit;
-  if (inside && closed && ((a | b) & Short::kInwards) != 0) sifted.inwards |= bit;
+  if ((inside || back) && ((a ^ b) & TurnWord::kMoves) != 0) sifted.one_stays |= bit;
+  if (inside && closed && ((a | b) & TurnWord::kInwards) != 0) sifted.inwards |= bit;
 }
 
 /** Counts the tests of the edges that are dropped, and notes which of them are not tested. */
 template <int D>
 void EdgeSieve<D>::count_sifted(uint32_t first, const Sifted& block, bool leaves) {
   Body<D>& body = *course_.motion.body;
-  const uint32_t dropped = 2 * bit_count(block.inside | block.back) - bit_count(block.one_stays);
+  const uint32_t one_stays = block.one_stays != 0 ? bit_count(block.one_stays) : 0;
+  const uint32_t dropped = 2 * bit_count(block.inside | block.back) - one_stays;
   sweeps_.counts.swept += dropped;
   if (leaves) {
-    for (uint64_t rest = block.inside; rest != 0; rest &= rest - 1) body.untested[first + lowest_bit(rest)] = 0;
-    for (uint64_t rest = block.back; rest != 0; rest &= rest - 1) body.untested[first + lowest_bit(rest)] = 1;
+    uint8_t* const untested = body.untested.data() + first;
+    // What is kept is noted when it is tested.
+    const uint64_t moving = block.inside | block.back | block.kept;
+    if ((moving & (moving + 1)) == 0) {
+      std::fill_n(untested, moving + 1 != 0 ? lowest_bit(moving + 1) : 64, uint8_t{0});
+    } else {
+      for (uint64_t rest = block.inside | block.kept; rest != 0; rest &= rest - 1) untested[lowest_bit(rest)] = 0;
+    }
+    for (uint64_t rest = block.back; rest != 0; rest &= rest - 1) untested[lowest_bit(rest)] = 1;
   }
   if (body.skipping.by_environment) {
     sweeps_.counts.skipped += dropped;

@@ -6,20 +6,24 @@ namespace dsw {
 
 template <int D>
 void ShortEdges<D>::start(bool looks) {
-  has_others_ = false;
-  const Array<VertexWay>& ways = course_.motion.ways;
-  words_.resize(ways.size());
-  for (size_t v = 0; v < ways.size(); ++v) {
+  const size_t count = course_.motion.ways.size();
+  words_.resize(count);
+  const VertexWay* const ways = course_.motion.ways.data();
+  const typename Course<D>::Vertex* const turns = course_.vertices.data();
+  uint32_t* const words = words_.data();
+  uint32_t others = 0;
+  for (size_t v = 0; v < count; ++v) {
     const Cell from = ways[v].from;
     const bool stays = from == ways[v].arrival && from.valid(), convex = stays && env_.map.convex(from);
-    const typename Course<D>::Vertex& turn = course_.vertices[v];
-    words_[v] = (convex ? from.unit << kBits | kStays : 0) | (turn.rank != kNone ? kMoves : 0) |
-                (turn.doubtful ? 0 : kSure) | (turn.inwards ? kInwards : 0);
-    has_others_ |= stays != convex;
+    words[v] = (convex ? from.unit << TurnWord::kBits | TurnWord::kStays : 0) |
+               (turns[v].rank != kNone ? TurnWord::kMoves : 0) | (turns[v].doubtful ? 0 : TurnWord::kSure) |
+               (turns[v].inwards ? TurnWord::kInwards : 0);
+    others |= stays != convex ? 1u : 0u;
   }
+  has_others_ = others != 0;
   if (!looks) return;
-  looked_.assign(ways.size(), kNone);
-  told_.resize(ways.size());
+  looked_.assign(count, kNone);
+  told_.resize(count);
 }
 
 template <int D>
@@ -34,11 +38,7 @@ typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t
     const Told told = number < kMostPairs ? answers_[number] : of_pairs_[i];
     uint32_t turns = told.what == course_.motion.ways[pair.vertex].arrival.unit ? pair.turns : 0u;
     const uint32_t facets = told.what ^ kSeveral;
-    if (facets < kSeveral) {
-      for (const uint32_t turn : {kFirst, kSecond}) {
-        if ((pair.turns & turn) != 0 && leads(pair, told.cell, facets, edges, turn)) turns |= turn;
-      }
-    }
+    if (facets < kSeveral) turns |= leads(pair, told.cell, facets, edges);
     seen.first |= uint64_t{turns & kFirst} << pair.place;
     seen.second |= uint64_t{turns >> 1} << pair.place;
   }
@@ -57,17 +57,17 @@ uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
-    inside |= uint64_t{share_cell(a, b)} << i;
-    stay |= uint64_t{both / kStays & 1} << i;
+    inside |= uint64_t{TurnWord::share_cell(a, b)} << i;
+    stay |= uint64_t{both / TurnWord::kStays & 1} << i;
     const uint32_t doubt = uint32_t{vertices[ends[0]].doubtful} | uint32_t{vertices[ends[1]].doubtful};
-    sure |= uint64_t{both & (doubt ^ 1) & kMoves} << i;
+    sure |= uint64_t{both & (doubt ^ 1) & TurnWord::kMoves} << i;
   }
   uint32_t pairs = 0;
   for (uint64_t rest = stay & ~inside; rest != 0; rest &= rest - 1) {
     const uint32_t i = lowest_bit(rest);
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
-    pairs_[pairs++] = {ends[k], words[ends[1 - k]] >> kBits, static_cast<uint8_t>(i), kFirst | kSecond};
+    pairs_[pairs++] = {ends[k], words[ends[1 - k]] >> TurnWord::kBits, static_cast<uint8_t>(i), kFirst | kSecond};
   }
   seen = {inside, inside, sure, false};
   for (uint64_t rest = ~stay & (count == kMost ? ~uint64_t{0} : (uint64_t{1} << count) - 1); rest != 0;
@@ -160,14 +160,14 @@ void ShortEdges<D>::answer(uint32_t count, Cell* cells, const double** points) {
   }
 }
 
-/** Whether an edge, at a turn of one of its ends, passes from the cell that was looked at last straight into that of the target
- * of its first end. */
+/** At which turns of its ends, of those that are asked about, an edge passes from the cell that was looked at last straight into
+ * that of the target of its first end. */
 template <int D>
-bool ShortEdges<D>::leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges, uint32_t turn) const {
+uint32_t ShortEdges<D>::leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const {
   const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
-  const double* const from = turn == kFirst ? course_.motion.body->position(w) : course_.place(w, kNone);
+  const double* const from[2] = {course_.motion.body->position(w), course_.place(w, kNone)};
   return leads_into(env_, cell, facets, from, course_.place(pair.vertex, kNone),
-                    course_.motion.ways[pair.vertex].arrival);
+                    course_.motion.ways[pair.vertex].arrival, pair.turns);
 }
 
 template class ShortEdges<2>;

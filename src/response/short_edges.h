@@ -2,6 +2,7 @@
 // Edges that are seen to be free where their ends go, without a cast.
 
 #include "response/course.h"
+#include "response/turn_words.h"
 #include "walk/short_way.h"
 
 namespace dsw {
@@ -31,13 +32,9 @@ class ShortEdges {
   /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
    * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
   void start(bool looks);
-  /** A word for each vertex, as it was at the start: whether it moves, is not in doubt, goes inwards, stays in a convex cell, whose
-   * unit stands above these bits. */
+  /** A word for each vertex, as it was at the start. */
   const uint32_t* words() const { return words_.data(); }
-  static constexpr uint32_t kMoves = 1, kSure = 2, kInwards = 4, kStays = 8, kBits = 4;
-  static_assert(kMostUnits <= uint64_t{1} << (32 - kBits), "a unit has room above the bits");
-  /** Whether two vertices stay in the same convex cell: 1 or 0. */
-  static uint32_t share_cell(uint32_t a, uint32_t b) { return ((a ^ b) < 1u << kBits ? 1u : 0u) & (a & b) / kStays; }
+  static_assert(kMostUnits <= uint64_t{1} << (32 - TurnWord::kBits), "a unit has room above the bits");
   /** Whether a vertex stays in a cell that is not convex. */
   bool has_others() const { return has_others_; }
   /** What is seen of at most kMost edges. Of an end that does not move nothing is told. */
@@ -67,7 +64,7 @@ class ShortEdges {
   uint32_t add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen);
   void ask(uint32_t pairs);
   void answer(uint32_t count, Cell* cells, const double** points);
-  bool leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges, uint32_t turn) const;
+  uint32_t leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const;
 
   const Environment<D>& env_;
   const Course<D>& course_;

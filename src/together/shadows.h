@@ -14,8 +14,8 @@ namespace dsw {
 
 /** Points of which all make the same part of their ways; what all go may be left out of these. Throws std::bad_alloc.
  *
- * Lengths along directions are whole steps of a frame, from one step below the place to one above. So roundings of far less than a step,
- * those of places on the way as well, change no answer. */
+ * Lengths along directions are whole steps of a frame, from one step below the place to one above; what is apart is so by two steps. So
+ * roundings of far less than a step, those of single precision and of places on the way as well, change no answer. */
 template <int D>
 class Shadows {
  public:
@@ -35,13 +35,22 @@ class Shadows {
    * @param largest the largest coordinate of what the places are made of. */
   void start(size_t count, const Box<D>& all, double largest) {
     shadows_.resize(count);
-    for (int i = 0; i < D; ++i) centre_[i] = 0.5 * all.lower[i] + 0.5 * all.upper[i];
+    double extent[D], size = 0;
+    for (int i = 0; i < D; ++i) {
+      centre_[i] = 0.5 * all.lower[i] + 0.5 * all.upper[i];
+      extent[i] = 0.5 * all.upper[i] - 0.5 * all.lower[i];
+      size = std::fmax(size, extent[i]);
+    }
+    is_usual_ = size < 0x1p1000 && size > 0x1p-1000;
+    scale_ = 1 / size;
     for (int k = 0; k < kDirections; ++k) {
       double half = 0;
-      for (int i = 0; i < D; ++i) half += std::fabs(kAlong[i][k]) * (0.5 * all.upper[i] - 0.5 * all.lower[i]);
+      for (int i = 0; i < D; ++i) half += std::fabs(kAlong[i][k]) * extent[i];
       // Nothing is apart where steps are not far longer than roundings.
-      const bool is_known = half < 0x1p1000 && half > 0x1p-1000 && half > 0x1p-30 * largest;
-      for (int i = 0; i < D; ++i) along_[i][k] = is_known ? kAlong[i][k] * (kMostSteps / half) : 0;
+      const bool is_known = is_usual_ && half > 0x1p-30 * largest;
+      for (int i = 0; i < D; ++i) {
+        along_[i][k] = is_known ? static_cast<float>(kAlong[i][k] * kMostSteps * (size / half)) : 0;
+      }
     }
   }
   void set(size_t point, const double* start, const double* end) noexcept {
@@ -93,27 +102,25 @@ class Shadows {
     return (words[0] | words[1]) != 0;
   }
   void set_range(const double* at, Range& range) const noexcept {
-    // Loops that compilers make vectors of.
-    double place[D], sums[kDirections];
-    for (int i = 0; i < D; ++i) place[i] = at[i] - centre_[i];
+    // What is left out of all steps is finite: see find_drift. So all places lie in the box, and all sums are numbers below
+    // 2^15. The loops are such as compilers make vectors of.
+    float place[D], sums[kDirections];
+    for (int i = 0; i < D; ++i) place[i] = is_usual_ ? static_cast<float>((at[i] - centre_[i]) * scale_) : 0;
     for (int k = 0; k < kDirections; ++k) {
       sums[k] = along_[0][k] * place[0];
       for (int i = 1; i < D; ++i) sums[k] += along_[i][k] * place[i];
     }
-    int32_t steps[kDirections];
-    for (int k = 0; k < kDirections; ++k) {
-      // Rounded to zero, so by less than a step. Infinite places are no numbers along directions of which nothing is known.
-      steps[k] = std::isnan(sums[k]) ? 0 : static_cast<int32_t>(sums[k]);
-    }
     int16_t low[kDirections], high[kDirections];
-    for (int k = 0; k < kDirections; ++k) low[k] = static_cast<int16_t>(steps[k] - 1);
-    for (int k = 0; k < kDirections; ++k) high[k] = static_cast<int16_t>(steps[k] + 1);
+    for (int k = 0; k < kDirections; ++k) low[k] = static_cast<int16_t>(static_cast<int32_t>(sums[k]) - 1);
+    for (int k = 0; k < kDirections; ++k) high[k] = static_cast<int16_t>(static_cast<int32_t>(sums[k]) + 1);
     std::memcpy(&range.low, low, sizeof low);
     std::memcpy(&range.high, high, sizeof high);
   }
 
   Array<Shadow> shadows_;
-  double centre_[D] = {}, along_[D][kDirections] = {};  // steps of the frame along each direction
+  bool is_usual_ = false;              // a frame can hold all places
+  double centre_[D] = {}, scale_ = 0;  // which makes coordinates from the centre at most 1
+  float along_[D][kDirections] = {};   // steps of the frame along each direction
 };
 
 }  // namespace dsw

@@ -146,13 +146,57 @@ WayTouch<D> WallWays<D>::touch_of(const Trajectory<D>& of, uint32_t number, uint
   return touch;
 }
 
+/** The way of a part, up to a time of it. */
+template <int D>
+struct WallWays<D>::PartWay {
+  const Trajectory<D>& of;
+  const uint32_t number;  // of the trajectory
+  const Simplex part;
+  const SimplexCorners<D>& corners;
+  const double limit;
+  const double* points[6];  // of each corner where it starts and where it ends
+  double places[3][D];      // ends, if the way is not looked at as a whole
+
+  PartWay(const Trajectory<D>& trajectory, uint32_t trajectory_number, const Simplex& simplex,
+          const SimplexCorners<D>& simplex_corners, double time)
+      : of(trajectory), number(trajectory_number), part(simplex), corners(simplex_corners), limit(time) {
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      const uint32_t v = corners.vertices[i];
+      points[2 * i] = of.start(v);
+      points[2 * i + 1] = of.end(v);
+      if (limit == 1) continue;
+      place_on_way<D>(of.start(v), of.end(v), limit, places[i]);
+      points[2 * i + 1] = places[i];
+    }
+  }
+  PartWay(const PartWay&) = delete;
+  PartWay& operator=(const PartWay&) = delete;
+
+  /** Without what is touched. A corner of the environment comes before the part, a side comes after it. */
+  WayTouch<D> touch() const {
+    WayTouch<D> made{};
+    made.trajectory = number;
+    made.part = part;
+    made.pair.kind = D == 2                        ? PairKind::kVertexEdge
+                     : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
+                                                   : PairKind::kVertexFace;
+    made.comes_first = made.pair.kind == PairKind::kEdgeEdge;
+    for (uint32_t i = 0; i < corners.count; ++i) {
+      made.pair.start[first_corner(made) + i] = points[2 * i];
+      made.pair.end[first_corner(made) + i] = points[2 * i + 1];
+    }
+    return made;
+  }
+  static uint32_t first_corner(const WayTouch<D>& touch) { return touch.comes_first ? 0 : 1; }
+};
+
 /** Calls visit(touch) for the edges and faces that may touch something, until it returns false. */
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit) {
   for (uint32_t t = 0; t < trajectories.size(); ++t) {
     const Trajectory<D>& of = trajectories[t];
-    open_.clear();
+    plain_.clear();
     const auto look_at = [&](const Simplex& part) {
       return part.kind == Simplex::kVertex || is_done_with_edge(of, part) || visit_part(of, t, part, visit);
     };
@@ -162,15 +206,51 @@ bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit vi
       note_vertices(of);
       if (!for_each_simplex(*of.motion.body, look_at)) return false;
     }
-    starts_.look_at(of, t, open_);
-    for (const uint32_t e : open_) {
-      const Simplex edge{Simplex::kEdge, e};
-      const SimplexCorners<D> corners(*of.motion.body, edge);
-      const double limit = std::min(of.limits[corners.vertices[0]], of.limits[corners.vertices[1]]);
-      if (!visit_edge(PartWay(of, t, edge, corners, limit), visit)) return false;
-    }
+    if (!visit_plain_edges(of, t, visit)) return false;
   }
   return true;
+}
+
+/** Calls visit(touch) for what the edges touch that keep no corridors, until it returns false. Then none of these edges is
+ * counted as skipped: a tree tells of those far from all obstacles before anything is visited. */
+template <int D>
+template <class Visit>
+bool WallWays<D>::visit_plain_edges(const Trajectory<D>& of, uint32_t number, Visit visit) {
+  const auto with_way = [&](uint32_t e, auto use) {
+    const SimplexCorners<D> corners(*of.motion.body, {Simplex::kEdge, e});
+    return use(PartWay(of, number, {Simplex::kEdge, e}, corners, limit_of(of, corners)));
+  };
+  const uint32_t before = counts.skipped;
+  const auto stands = [&](uint32_t e) { return !(limit_of(of, {*of.motion.body, {Simplex::kEdge, e}}) > 0); };
+  plain_.erase(std::remove_if(plain_.begin(), plain_.end(), stands), plain_.end());
+  counts.skipped += far_.leave_out(of, plain_);
+  open_.clear();
+  for (const uint32_t e : plain_) {
+    const bool is_free = with_way(e, [&](const PartWay& way) {
+      const uint32_t* const ends = way.corners.vertices;
+      return (way.limit == 1 && corridors_.keeps_to_facet({way_of(of, ends[0]), way_of(of, ends[1])})) || is_alone(way);
+    });
+    if (is_free) {
+      ++counts.skipped;
+    } else {
+      open_.push_back(e);
+    }
+  }
+  starts_.look_at(of, number, open_);
+  for (const uint32_t e : open_) {
+    if (with_way(e, [&](const PartWay& way) { return visit_edge(way, visit); })) continue;
+    counts.skipped = before;
+    return false;
+  }
+  return true;
+}
+
+/** Up to which time of its way a part is looked at. */
+template <int D>
+double WallWays<D>::limit_of(const Trajectory<D>& of, const SimplexCorners<D>& corners) {
+  double limit = 1;
+  for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
+  return limit;
 }
 
 template <int D>
@@ -230,50 +310,6 @@ bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, const Simplex& part
   return true;
 }
 
-/** The way of a part, up to a time of it. */
-template <int D>
-struct WallWays<D>::PartWay {
-  const Trajectory<D>& of;
-  const uint32_t number;  // of the trajectory
-  const Simplex part;
-  const SimplexCorners<D>& corners;
-  const double limit;
-  const double* points[6];  // of each corner where it starts and where it ends
-  double places[3][D];      // ends, if the way is not looked at as a whole
-
-  PartWay(const Trajectory<D>& trajectory, uint32_t trajectory_number, const Simplex& simplex,
-          const SimplexCorners<D>& simplex_corners, double time)
-      : of(trajectory), number(trajectory_number), part(simplex), corners(simplex_corners), limit(time) {
-    for (uint32_t i = 0; i < corners.count; ++i) {
-      const uint32_t v = corners.vertices[i];
-      points[2 * i] = of.start(v);
-      points[2 * i + 1] = of.end(v);
-      if (limit == 1) continue;
-      place_on_way<D>(of.start(v), of.end(v), limit, places[i]);
-      points[2 * i + 1] = places[i];
-    }
-  }
-  PartWay(const PartWay&) = delete;
-  PartWay& operator=(const PartWay&) = delete;
-
-  /** Without what is touched. A corner of the environment comes before the part, a side comes after it. */
-  WayTouch<D> touch() const {
-    WayTouch<D> made{};
-    made.trajectory = number;
-    made.part = part;
-    made.pair.kind = D == 2                        ? PairKind::kVertexEdge
-                     : part.kind == Simplex::kEdge ? PairKind::kEdgeEdge
-                                                   : PairKind::kVertexFace;
-    made.comes_first = made.pair.kind == PairKind::kEdgeEdge;
-    for (uint32_t i = 0; i < corners.count; ++i) {
-      made.pair.start[first_corner(made) + i] = points[2 * i];
-      made.pair.end[first_corner(made) + i] = points[2 * i + 1];
-    }
-    return made;
-  }
-  static uint32_t first_corner(const WayTouch<D>& touch) { return touch.comes_first ? 0 : 1; }
-};
-
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
@@ -286,24 +322,18 @@ bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Sim
     ++counts.skipped;
     return true;
   }
-  double limit = 1;
-  for (const uint32_t v : corners) limit = std::min(limit, of.limits[v]);
-  if (!(limit > 0)) return true;
-  const bool has_corridor = is_edge && of.motion.body->keeps_corridors();
-  if (is_edge && !has_corridor && limit == 1 &&
-      corridors_.keeps_to_facet({way_of(of, corners.vertices[0]), way_of(of, corners.vertices[1])})) {
-    ++counts.skipped;
+  if (is_edge && !of.motion.body->keeps_corridors()) {
+    plain_.push_back(part.index);
     return true;
   }
+  const double limit = limit_of(of, corners);
+  if (!(limit > 0)) return true;
   const PartWay way(of, number, part, corners, limit);
   if (is_alone(way)) {
     ++counts.skipped;
     return true;
   }
-  if (!is_edge) return visit_features(way, near_.find(of, number, part), visit);
-  if (has_corridor) return visit_edge(way, visit);
-  open_.push_back(part.index);
-  return true;
+  return is_edge ? visit_edge(way, visit) : visit_features(way, near_.find(of, number, part), visit);
 }
 
 template <int D>
@@ -337,11 +367,15 @@ bool WallWays<D>::visit_edge(const PartWay& way, Visit visit) {
   return goes_on;
 }
 
-/** Calls visit(touch) for the features that a part touches, until it returns false. */
+/** Calls visit(touch) for the features that a part touches, until it returns false. A part is skipped if its box overlaps those of
+ * none, as the box of a part far from all obstacles does: so what is known of this before, by a tree or by notes, changes no count. */
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& near, Visit visit) {
-  if (near.first == near.last) return true;
+  if (near.first == near.last) {
+    ++counts.skipped;
+    return true;
+  }
   const uint32_t count = way.corners.count;
   constexpr uint8_t kUnknown = 2;
   is_beside_.assign(near.plane_count, kUnknown);
@@ -352,6 +386,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
   };
   WayTouch<D> touch = way.touch();
   const uint32_t first = PartWay::first_corner(touch);
+  bool overlaps = false;
   double until = way.limit;  // nobody asks what a part touches later than something else
   for (const Candidate& feature : near) {
     for (uint32_t k = 0; k < feature.name.count; ++k) {
@@ -359,6 +394,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
       touch.pair.start[at] = touch.pair.end[at] = env_.point(feature.name.vertices[k]);
     }
     if (!boxes_overlap(touch.pair, touch.comes_first ? 0 : 1)) continue;
+    overlaps = true;
     if (dsw::any_of(near.numbers + feature.first_plane, near.numbers + feature.plane_end, is_beside_plane)) continue;
     if (keeps_sides(touch.pair, count, touch.comes_first)) continue;
     // Times are those on the whole way, not up to the limit.
@@ -370,6 +406,7 @@ bool WallWays<D>::visit_features(const PartWay& way, const CandidateView<D>& nea
     until = found.first.time;
     if (!visit(found)) return false;
   }
+  counts.skipped += overlaps ? 0 : 1;
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "corridor/box_probe.h"
 #include "corridor/moving_corridors.h"
+#include "together/far_edges.h"
 #include "together/held_points.h"
 #include "together/near_walls.h"
 #include "together/start_corridors.h"
@@ -15,7 +16,8 @@ namespace dsw {
 template <int D>
 class WallWays {
  public:
-  explicit WallWays(const Environment<D>& env) : env_(env), near_(env), probe_(env), corridors_(env), starts_(env) {}
+  explicit WallWays(const Environment<D>& env)
+      : env_(env), near_(env), far_(env), probe_(env), corridors_(env), starts_(env) {}
 
   /** Forgets what was found for another call. */
   void start(const Array<Trajectory<D>>& trajectories);
@@ -61,12 +63,15 @@ class WallWays {
   template <class Touch>
   void describe(const Array<Trajectory<D>>&, const Array<Touch>&) noexcept {}
   void set_counters(CastCounters* counters) { counters_ = corridors_.counters = starts_.counters = counters; }
-  SweepCounts counts;  // of edges and faces
+  /** What edges and faces did. Whether there is a tree of obstacles changes none of these counts. */
+  SweepCounts counts;
 
  private:
   void note_blocked(Trajectory<D>& of, uint32_t number, uint32_t v, const CastResult& path);
   template <class Visit>
   bool visit_parts(const Array<Trajectory<D>>& trajectories, Visit visit);
+  template <class Visit>
+  bool visit_plain_edges(const Trajectory<D>& of, uint32_t number, Visit visit);
   template <class Visit>
   bool visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit);
   struct PartWay;
@@ -74,6 +79,7 @@ class WallWays {
   void note_vertices(const Trajectory<D>& of);
   bool note_new_parts(const Trajectory<D>& of);
   bool is_done_with_edge(const Trajectory<D>& of, const Simplex& part);
+  static double limit_of(const Trajectory<D>& of, const SimplexCorners<D>& corners);
   static PointWay way_of(const Trajectory<D>& of, uint32_t v);
   bool stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept;
   bool is_alone(const PartWay& way);
@@ -86,6 +92,7 @@ class WallWays {
 
   const Environment<D>& env_;
   NearWalls<D> near_;
+  FarEdges<D> far_;
   BoxProbe<D> probe_;
   MovingCorridors<D> corridors_;
   StartCorridors<D> starts_;
@@ -95,7 +102,8 @@ class WallWays {
   static constexpr uint32_t kNew = 1, kMoves = 2, kLeaves = 4;
   Array<uint8_t> vertices_{env_.memory};   // of one trajectory: these bits
   Array<Simplex> parts_{env_.memory};      // of one trajectory: those at new vertices
-  Array<uint32_t> open_{env_.memory};      // edges of one trajectory whose corridors have to be found
+  Array<uint32_t> plain_{env_.memory};     // edges of one trajectory that keep no corridors
+  Array<uint32_t> open_{env_.memory};      // those whose corridors have to be found
   Array<uint8_t> is_beside_{env_.memory};  // by plane of the part: all of its way is on one side of it
 };
 

@@ -97,6 +97,31 @@ static void edges_that_go_inwards_are_listed_until_they_go_outwards(void) {
   end();
 }
 
+static void edges_that_have_room_are_free_beside_edges_that_stand_still(void) {
+  static const double heights[4] = {2.24, 2.245, 2.24, 2.25}; /* of the top */
+  int i, k, stands;
+  begin();
+  CHECK_OK(set_volume_mark(g_environment, kHexahedron, DSW_MARK_PASSABLE));
+  for (stands = 0; stands < 2; ++stands) {
+    dsw_body_desc d = frustum(kLeft | DSW_BODY_SKIP_BY_CLEARANCE);
+    dsw_body_id body = {0, 0};
+    double at[24];
+    for (i = 0; i < 24; ++i) at[i] = 2 + 0.05 * (g_frustum[i] - 2) + (i % 3 == 2 ? 0.25 : 0);
+    d.positions = at;
+    CHECK_OK(dsw_body_create(g_scene, &d, &body));
+    for (k = 0; k < 4; ++k) {
+      dsw_move_report report;
+      for (i = 2; i < 12; i += 3) at[i] = heights[k];
+      for (i = 14; i < 24; i += 3) at[i] += k == 3 && !stands ? 0.001 : 0;
+      CHECK_OK(dsw_body_move(g_scene, body, at, kVertices, 0, NULL, &report));
+      CHECK(report.vertices_stopped == 0 && report.edges_skipped > 0);
+      CHECK(k % 2 == 0 ? untested(body) >= 5 : untested(body) == 0); /* up, what is skipped has room */
+    }
+    CHECK_OK(dsw_body_destroy(g_scene, body));
+  }
+  end();
+}
+
 static void an_edge_that_is_free_stops_before_what_it_meets_outwards(void) {
   dsw_body_id body;
   dsw_move_report report;
@@ -222,6 +247,7 @@ static void what_the_flag_is_not_for(void) {
 
 int main(void) {
   edges_that_go_inwards_are_listed_until_they_go_outwards();
+  edges_that_have_room_are_free_beside_edges_that_stand_still();
   an_edge_that_is_free_stops_before_what_it_meets_outwards();
   other_calls_see_the_vertices_alone_while_an_edge_is_not_free();
   a_mark_may_come_into_the_way_of_edges_that_are_not_seen();

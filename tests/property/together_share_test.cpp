@@ -1,6 +1,6 @@
 // Wires that are pressed against walls, themselves and each other, without friction: how much of the motion they make that
 // their contacts allow. A linear program with one row for each near pair of features tells how far all could go. Its rows
-// are made again where it leads, until it gains nothing more.
+// are made again where it leads, until it gains nothing more. Thick wires keep their distances: a row counts what is left of these.
 #include "linear_program.h"
 #include "together_support.h"
 
@@ -47,7 +47,7 @@ Nearest nearest_face(const Vec& p, const Vec& a, const Vec& b, const Vec& c) {
 
 class Wires {
  public:
-  Wires(const Ground& ground, const std::vector<Walker>& walkers) : ground_(ground) {
+  Wires(const Ground& ground, const std::vector<Walker>& walkers, double radius) : ground_(ground), radius_(radius) {
     for (const Walker& of : walkers) {
       const auto first = static_cast<uint32_t>(at_.size());
       at_.insert(at_.end(), of.state.at.begin(), of.state.at.end());
@@ -89,13 +89,14 @@ class Wires {
       row[i] = 1;
       program.add_row(row, lefts[i]);
     }
-    const auto add = [&](const Nearest& nearest, const Vec* points, const uint32_t* names, uint32_t moving) {
+    const auto add = [&](const Nearest& nearest, const Vec* points, const uint32_t* names, uint32_t moving,
+                         double keep) {
       Vec gap = {0, 0, 0};
       for (size_t i = 0; i < 4; ++i) {
         for (size_t k = 0; k < 3; ++k) gap[k] += nearest.weights[i] * points[i][k];
       }
-      const double distance = std::sqrt(dot(gap, gap));
-      if (distance > 2 * reach_) return;
+      const double distance = std::sqrt(dot(gap, gap)), left = distance - keep;
+      if (left > 2 * reach_) return;
       Vec normal = gap;
       if (distance < 1e-7) {
         normal = nearest.normal;
@@ -109,13 +110,14 @@ class Wires {
         for (size_t k = 0; k < 3; ++k)
           row[3 * names[i] + k] -= nearest.weights[i] * normal[k] / length * signs[3 * names[i] + k];
       }
-      program.add_row(row, distance < kTouch ? 0 : kShare * distance);
+      program.add_row(row, left < kTouch ? 0 : kShare * left);
     };
+
     for (uint32_t v = 0; v < at_.size(); ++v) {
       for (const auto& wall : ground_.walls) {
         const Vec points[4] = {at_[v], ground_.points[wall[0]], ground_.points[wall[1]], ground_.points[wall[2]]};
         const uint32_t names[4] = {v, 0, 0, 0};
-        add(nearest_face(points[0], points[1], points[2], points[3]), points, names, 1);
+        add(nearest_face(points[0], points[1], points[2], points[3]), points, names, 1, radius_);
       }
     }
     const auto ridges = ground_.features(2);
@@ -124,13 +126,13 @@ class Wires {
         const Vec points[4] = {at_[edges_[e][0]], at_[edges_[e][1]], ground_.points[ridge[0]],
                                ground_.points[ridge[1]]};
         const uint32_t names[4] = {edges_[e][0], edges_[e][1], 0, 0};
-        add(nearest_edges(points[0], points[1], points[2], points[3]), points, names, 3);
+        add(nearest_edges(points[0], points[1], points[2], points[3]), points, names, 3, radius_);
       }
       for (size_t f = 0; f < e; ++f) {
         const uint32_t names[4] = {edges_[e][0], edges_[e][1], edges_[f][0], edges_[f][1]};
         if (std::set<uint32_t>(names, names + 4).size() < 4) continue;
         const Vec points[4] = {at_[names[0]], at_[names[1]], at_[names[2]], at_[names[3]]};
-        add(nearest_edges(points[0], points[1], points[2], points[3]), points, names, 15);
+        add(nearest_edges(points[0], points[1], points[2], points[3]), points, names, 15, 2 * radius_);
       }
     }
     const std::vector<double> made = program.solve();
@@ -143,72 +145,91 @@ class Wires {
   }
 
   const Ground& ground_;
+  const double radius_;
   std::vector<Vec> at_, ends_;
   std::vector<std::array<uint32_t, 2>> edges_;
   double reach_ = 0;
 };
 
-TEST(TogetherShare, PressedWiresMakeTheMotionThatTheirContactsAllow) {
-  Rng rng(51);
+struct Pressed {
   double made = 0, largest = 0, least = 1;
   size_t steps = 0;
-  for (int round = 0; round < effort_of(10); ++round) {
-    const Ground ground = make_ground(3, 3, 0, 0.05, false, rng);
-    ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
-    std::vector<Walker> walkers;
-    for (int tries = 0; tries < 40 && walkers.size() < 2; ++tries) {
-      BodyPlan plan;
-      plan.at.push_back({rng.range(0.3, 1), rng.range(0.3, 2.7), rng.range(0.2, 0.8)});
-      for (uint32_t i = 1; i < 8; ++i) {
-        plan.at.push_back(plan.at.back());
-        plan.at.back()[0] += 0.2;
-        plan.at.back()[1] += rng.range(-0.1, 0.1);
-        plan.at.back()[2] += rng.range(-0.1, 0.1);
-        plan.edges.push_back({i - 1, i});
-      }
-      Walker walker{};
-      walker.level = DSW_LEVEL_EDGES_SWEPT;
-      if (create_body(scene.get(), plan, walker.level, DSW_BODY_SELF_CONTACTS, {}, &walker.id) != DSW_STATUS_OK)
-        continue;
-      EXPECT_EQ(read_body(scene.get(), walker.id, walker.state), "");
-      walkers.push_back(walker);
+};
+
+std::vector<Walker> make_wires(dsw_scene* scene, double radius, Rng& rng) {
+  std::vector<Walker> walkers;
+  for (int tries = 0; tries < 40 && walkers.size() < 2; ++tries) {
+    BodyPlan plan;
+    plan.at.push_back({rng.range(0.3, 1), rng.range(0.3, 2.7), rng.range(0.2, 0.8)});
+    for (uint32_t i = 1; i < 8; ++i) {
+      plan.at.push_back(plan.at.back());
+      plan.at.back()[0] += 0.2;
+      plan.at.back()[1] += rng.range(-0.1, 0.1);
+      plan.at.back()[2] += rng.range(-0.1, 0.1);
+      plan.edges.push_back({i - 1, i});
     }
-    const Vec way = {rng.range(-0.05, 0.05), rng.range(-0.1, 0.1), rng.range(-0.15, -0.05)};
-    for (int step = 0; step < 12; ++step) {
-      for (Walker& each : walkers) {
-        each.end = each.state.at;
-        for (Vec& p : each.end) {
-          for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng.range(-0.01, 0.01);
-        }
-      }
-      // All want to go on where they are.
-      const double could = Wires(ground, walkers).largest_motion();
-      const TogetherAnswer answer =
-          move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, 0, DSW_TOGETHER_RESPONSE_SLIDE);
-      double went = 0;
-      for (size_t i = 0; i < walkers.size(); ++i) {
-        for (size_t v = 0; v < walkers[i].end.size(); ++v) {
-          for (size_t k = 0; k < 3; ++k) {
-            went += std::fabs(walkers[i].end[v][k] - walkers[i].state.at[v][k]) -
-                    std::fabs(walkers[i].end[v][k] - answer.after[i].at[v][k]);
-          }
-        }
-        walkers[i].state = answer.after[i];
-      }
-      if (step < 4 || could < 1e-3) continue;  // not yet pressed, or in a corner
-      ++steps;
-      made += went;
-      largest += could;
-      least = std::min(least, went / could);
-    }
+    Walker walker{};
+    walker.level = DSW_LEVEL_EDGES_SWEPT;
+    if (create_body(scene, plan, walker.level, DSW_BODY_SELF_CONTACTS, {}, &walker.id, radius) != DSW_STATUS_OK)
+      continue;
+    EXPECT_EQ(read_body(scene, walker.id, walker.state), "");
+    walkers.push_back(walker);
   }
-  std::printf("%zu steps of pressed wires; share of the largest motion %.4f, least of a step %.4f\n", steps,
-              made / largest, least);
-  testing::Test::RecordProperty("steps", static_cast<int>(steps));
-  testing::Test::RecordProperty("motion_made_share", std::to_string(made / largest));
-  EXPECT_GT(steps, 0u);
-  EXPECT_GE(made, 0.9 * largest);
+  return walkers;
 }
+
+/// Presses wires for some steps. All want to go on where they are.
+void press(const Ground& ground, double radius, Rng& rng, Pressed& all) {
+  ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
+  std::vector<Walker> walkers = make_wires(scene.get(), radius, rng);
+  const Vec way = {rng.range(-0.05, 0.05), rng.range(-0.1, 0.1), rng.range(-0.15, -0.05)};
+  for (int step = 0; step < 12; ++step) {
+    for (Walker& each : walkers) {
+      each.end = each.state.at;
+      for (Vec& p : each.end) {
+        for (size_t k = 0; k < 3; ++k) p[k] += way[k] + rng.range(-0.01, 0.01);
+      }
+    }
+    const double could = Wires(ground, walkers, radius).largest_motion();
+    const TogetherAnswer answer =
+        move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, 0, DSW_TOGETHER_RESPONSE_SLIDE);
+    double went = 0;
+    for (size_t i = 0; i < walkers.size(); ++i) {
+      for (size_t v = 0; v < walkers[i].end.size(); ++v) {
+        for (size_t k = 0; k < 3; ++k) {
+          went += std::fabs(walkers[i].end[v][k] - walkers[i].state.at[v][k]) -
+                  std::fabs(walkers[i].end[v][k] - answer.after[i].at[v][k]);
+        }
+      }
+      walkers[i].state = answer.after[i];
+    }
+    if (step < 4 || could < 1e-3) continue;  // not yet pressed, or in a corner
+    ++all.steps;
+    all.made += went;
+    all.largest += could;
+    all.least = std::min(all.least, went / could);
+  }
+}
+
+class TogetherShare : public testing::TestWithParam<double> {};
+
+TEST_P(TogetherShare, PressedWiresMakeTheMotionThatTheirContactsAllow) {
+  Rng rng(51);
+  Pressed all;
+  for (int round = 0; round < effort_of(10); ++round) {
+    press(make_ground(3, 3, 0, 0.05, false, rng), GetParam(), rng, all);
+  }
+  std::printf("radius %g: %zu steps of pressed wires; share of the largest motion %.4f, least of a step %.4f\n",
+              GetParam(), all.steps, all.made / all.largest, all.least);
+  testing::Test::RecordProperty("steps", static_cast<int>(all.steps));
+  testing::Test::RecordProperty("motion_made_share", std::to_string(all.made / all.largest));
+  EXPECT_GT(all.steps, 0u);
+  EXPECT_GE(all.made, 0.9 * all.largest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radii, TogetherShare, testing::Values(0.0, 0.01, 0.04), [](const auto& each) {
+  return each.param == 0 ? std::string("thin") : "radius_" + std::to_string(std::lround(1000 * each.param));
+});
 
 }  // namespace
 }  // namespace dsw::oracle

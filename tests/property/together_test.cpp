@@ -99,7 +99,7 @@ TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
       GetParam().name, moves, touches, missed, made_up, wrong_time, passed, not_free, short_of);
   record_moves(moves, missed + passed, not_free, 0);
   EXPECT_EQ(missed + made_up + wrong_time + passed + not_free + short_of, 0u);
-  EXPECT_GT(touches, moves / 20);
+  EXPECT_GT(touches, moves / 40);
 }
 
 TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {

@@ -1,0 +1,71 @@
+// Eight edges side by side. Words are loaded one by one: a gather is slow on some processors.
+
+#include "base/compiler.h"
+#include "response/turn_words.h"
+
+#if DSW_X86_64
+
+#include <immintrin.h>
+
+DSW_BEGIN_TARGET("avx2")
+
+namespace dsw {
+namespace {
+
+constexpr uint32_t kLanes = 8;
+
+/** Gives the highest bit of each of eight lanes. */
+uint64_t signs(__m256i lanes) noexcept { return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes))); }
+
+/** The words of the same end of eight edges. */
+__m256i words_of(const BodyEdge* e, uint32_t end, const uint32_t* words) noexcept {
+  const auto word = [&](uint32_t i) { return static_cast<int>(words[e[i].ends[end]]); };
+  return _mm256_setr_epi32(word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7));
+}
+
+/** Whether none of eight edges is a free slot; false also where vertices have very high numbers. */
+bool are_used(const BodyEdge* e) noexcept {
+  uint32_t all = 0;
+  DSW_UNROLL(8)
+  for (uint32_t i = 0; i < kLanes; ++i) all |= e[i].ends[0];
+  return all >> 31 == 0;
+}
+
+void add(const EdgeBits& some, uint32_t place, EdgeBits& bits) noexcept {
+  bits.used |= some.used << place;
+  bits.shared |= some.shared << place;
+  bits.inwards |= some.inwards << place;
+  bits.odd |= some.odd << place;
+}
+
+}  // namespace
+
+EdgeBits read_turn_words_avx2(const BodyEdge* edges, uint32_t count, const uint32_t* words) {
+  static_assert(TurnWord::kMoves == 1 && TurnWord::kSure == 2 && TurnWord::kInwards == 4 && TurnWord::kStays == 8 &&
+                    TurnWord::kBits == 4,
+                "the shifts below bring these bits to the top");
+  EdgeBits bits;
+  if (count < kLanes) return read_turn_words(edges, count, words);
+  for (uint32_t next = 0; next < count; next += kLanes) {
+    const uint32_t i = next + kLanes <= count ? next : count - kLanes;  // the last eight, some of them once more
+    const BodyEdge* const some = edges + i;
+    if (!are_used(some)) {
+      add(read_turn_words(some, kLanes, words), i, bits);
+      continue;
+    }
+    const __m256i a = words_of(some, 0, words), b = words_of(some, 1, words), both = a & b;
+    const __m256i same = _mm256_cmpeq_epi32(_mm256_srli_epi32(a ^ b, 4), _mm256_setzero_si256());
+    const uint64_t plain = signs(_mm256_slli_epi32(both, 31) & _mm256_slli_epi32(both, 30));
+    bits.used |= uint64_t{0xff} << i;
+    bits.shared |= signs(same & _mm256_slli_epi32(both, 28)) << i;
+    bits.inwards |= signs(_mm256_slli_epi32(both, 29)) << i;
+    bits.odd |= (plain ^ 0xff) << i;
+  }
+  return bits;
+}
+
+}  // namespace dsw
+
+DSW_END_TARGET
+
+#endif
