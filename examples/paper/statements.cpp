@@ -1,4 +1,4 @@
-// What [JCD10] states in its text, measured: figure 2, and sections 4.2, 4.3, 4.4, 5.1 and 5.2.
+// What [JCD10] states in its text, measured: figure 2, and sections 3.3, 4.2, 4.3, 4.4, 5.1 and 5.2.
 //
 // usage: paper_statements [--quick] [--mesh FILE]
 //
@@ -106,6 +106,7 @@ int run(const std::string& mesh, bool quick) {
   normals(vessel.environment(), quick ? 4000 : 40000, &found);
   depths(quick ? 20000 : 60000, &found);
   registration(&found);
+  forecasts(&found);
   deformations(&found);
   local_changes(&found);
   std::printf("%-10s %-72s %12s  %s\n", "section", "quantity", "ours", "paper");

@@ -57,6 +57,8 @@ double quantile(std::vector<double> numbers, double part);
 
 // 5.1: orientation tests of a vertex or particle whose cell has not changed.
 void deformations(Statements* out);
+// 3.3: orientation tests that the cell aimed at saves a particle.
+void forecasts(Statements* out);
 // 5.2: particles that a change of the topology looks at, of many.
 void local_changes(Statements* out);
 // 4.2: the normal at a vertex of the last dart, beside the exact one; on the wall of a vessel and on one of blocks.

@@ -81,6 +81,75 @@ void deformations(Statements* out) {
   }
 }
 
+namespace {
+
+// A prism of height 2 over a regular polygon of radius 1 round the origin, one cell with walls all round: a face stream.
+physics::Environment make_prism(int corners) {
+  std::vector<double> points;
+  std::vector<std::int64_t> stream = {corners + 2};
+  for (const double z : {-1.0, 1.0}) {
+    stream.push_back(corners);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * 3.14159265358979 * i / corners;
+      points.insert(points.end(), {std::cos(angle), std::sin(angle), z});
+      stream.push_back(z < 0 ? corners - 1 - i : corners + i);
+    }
+  }
+  for (std::int64_t i = 0; i < corners; ++i) {
+    const std::int64_t next = (i + 1) % corners;
+    stream.insert(stream.end(), {4, i, next, corners + next, corners + i});
+  }
+  const std::uint8_t type = DSW_CELL_TYPE_POLYHEDRON;
+  const std::int64_t offsets[2] = {0, static_cast<std::int64_t>(stream.size())};
+  dsw_environment_desc desc;
+  dsw_environment_desc_init(&desc, sizeof desc);
+  desc.points = points.data();
+  desc.point_count = points.size() / 3;
+  desc.cell_types = &type;
+  desc.volume_count = 1;
+  desc.offsets = offsets;
+  desc.connectivity = stream.data();
+  desc.connectivity_count = stream.size();
+  dsw_environment* made = nullptr;
+  physics::check(dsw_environment_create(nullptr, &desc, &made, nullptr), "making a prism");
+  return physics::Environment(made);
+}
+
+}  // namespace
+
+// A particle that presses on one wall remembers it; one that is new at each move does not.
+void forecasts(Statements* out) {
+  constexpr int kMoves = 1000;
+  for (const int corners : {4, 12}) {
+    const physics::Environment environment = make_prism(corners);
+    for (const bool remembers : {false, true}) {
+      const physics::Scene scene = make_scene(environment.get(), DSW_FEATURE_STATISTICS);
+      const Point start = {0.1, 0.05, 0.02}, target = {1.7, 0.4, 0.3};
+      dsw_particle_id particle;
+      physics::check(dsw_particle_create(scene.get(), start.data(), {0, 0}, &particle), "adding a particle");
+      dsw_flight flight = {};
+      const auto move = [&] {
+        physics::check(dsw_particle_move(scene.get(), particle, target.data(), nullptr, &flight), "moving a particle");
+      };
+      move();
+      double tests = 0;
+      for (int i = 0; i < kMoves; ++i) {
+        if (!remembers) {
+          physics::check(dsw_particle_destroy(scene.get(), particle), "removing a particle");
+          physics::check(dsw_particle_create(scene.get(), flight.position, {0, 0}, &particle), "adding a particle");
+        }
+        statistics_of(scene.get());
+        move();
+        tests += static_cast<double>(statistics_of(scene.get()).orientation_tests);
+      }
+      out->push_back({"3.3",
+                      std::string("cell aimed at ") + (remembers ? "kept" : "forgotten") + ", " +
+                          std::to_string(corners + 2) + " faces: orientation tests of a move to a wall",
+                      tests / kMoves, ""});
+    }
+  }
+}
+
 void local_changes(Statements* out) {
   for (const std::size_t count : {100u, 10000u}) {
     for (const bool live : {false, true}) {

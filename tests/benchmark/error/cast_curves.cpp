@@ -180,7 +180,7 @@ std::string best_of(const Curve& curve, const std::string& method) {
 void cast_curves(const Options& options) {
   Place place(Kind::kVessel, 20, options.seed);
   Rng rng(options.seed + 500);
-  const std::size_t count = options.count(2000, 20000);
+  const std::size_t count = options.count(2000, 10000);
   Curve times{"cast_time", "cast of 8 cells out of a vessel", "time of contact", "of the way", {}, ""};
   const Measured random = measure(options, place, random_casts(place, rng, count));
   for (std::size_t i = 0; i < random.engines.size(); ++i) {

@@ -16,7 +16,7 @@ void measure(const Options& options, Kind kind, Curve& curve) {
     Rng rng(options.seed + 200);
     std::vector<Move> moves;
     std::size_t touching = 0;
-    const std::size_t wanted = options.count(200, 2000), most = 20 * wanted;
+    const std::size_t wanted = options.count(200, 800), most = 20 * wanted;
     while (touching < wanted && moves.size() < most) {
       // Short edges rarely touch anything: every other one starts within its step of a wall.
       const double step = 0.5 * length;

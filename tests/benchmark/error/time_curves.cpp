@@ -79,7 +79,7 @@ std::string advise(const Curve& curve) {
 void measure(const Options& options, bool touching, Curve& times, Curve* places) {
   Place place(Kind::kFaces, 12, options.seed);
   Rng rng(options.seed + 100);
-  const auto moves = moves_of_ends(place, rng, options.count(300, 3000), touching);
+  const auto moves = moves_of_ends(place, rng, options.count(300, 1500), touching);
   std::size_t touch = 0;
   for (const Move& move : moves) touch += move.truth.events.empty() ? 0 : 1;
   std::vector<std::unique_ptr<Movers>> movers;
@@ -126,7 +126,7 @@ double degrees_between(const double* a, const double* b) {
 void measure_normals(const Options& options, Curve& curve) {
   Place place(Kind::kVessel, 12, options.seed);
   Rng rng(options.seed + 100);
-  const auto moves = moves_of_ends(place, rng, options.count(300, 3000), true);
+  const auto moves = moves_of_ends(place, rng, options.count(300, 1500), true);
   std::vector<std::unique_ptr<Movers>> movers;
   std::vector<Method> methods;
   const auto add = [&](const std::string& name, const std::string& setting, const dsw_move_options& move) {
