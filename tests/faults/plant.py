@@ -21,7 +21,7 @@ LEFT_OUT = re.compile(r"DSW_ASSERT|static_assert|constexpr|^\s*#|^\s*//|^\s*\*|^
 # Planted code is not there to be without a warning, and a lower level compiles in half the time.
 LAST_LINES = """
 set_source_files_properties(base/fault.cpp PROPERTIES COMPILE_DEFINITIONS DSW_FAULT_COUNT={count} SKIP_UNITY_BUILD_INCLUSION ON)
-foreach(objects IN ITEMS dartsweep_fast_objects dartsweep_exact_objects dartsweep_rare_objects dartsweep_calls_objects dartsweep_least_objects)
+foreach(objects IN ITEMS dartsweep_fast_objects dartsweep_usual_objects dartsweep_rare_objects dartsweep_calls_objects dartsweep_least_objects)
   target_compile_options(${{objects}} PRIVATE -O1 -w)
 endforeach()
 """

@@ -37,8 +37,9 @@ inline std::vector<std::string> plane_scene_names() {
   for (const plane::Kind& kind : plane::kinds()) names.emplace_back(kind.name);
   return names;
 }
-#define DSW_FOR_ALL_PLANE_SCENES(name)                                                     \
-  INSTANTIATE_TEST_SUITE_P(All, name, testing::ValuesIn(dsw::oracle::plane_scene_names()), \
+#define DSW_FOR_ALL_PLANE_SCENES(name)                                                                         \
+  INSTANTIATE_TEST_SUITE_P(All, name,                                                                          \
+                           testing::ValuesIn(dsw::oracle::drawn_for(#name, dsw::oracle::plane_scene_names())), \
                            [](const testing::TestParamInfo<std::string>& i) { return i.param; })
 
 /// Number `number` of those that go round: of four vertices, at every level. Not made where it would not be free.

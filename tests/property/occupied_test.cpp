@@ -18,7 +18,7 @@ std::vector<std::string> names() {
   for (const SceneKind& kind : sweep_scenes()) all.emplace_back(kind.name);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(All, OccupiedTest, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(All, OccupiedTest, testing::ValuesIn(drawn_for("OccupiedTest", names())),
                          [](const testing::TestParamInfo<std::string>& i) { return i.param; });
 
 struct TestBody {
