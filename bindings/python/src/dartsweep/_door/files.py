@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from .error import CutShort, MeshError
-from . import abaqus_reader, apart, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, med_reader, meshio_reader, mfem_reader, moab_reader, netgen_reader
-from . import off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
+from . import abaqus_reader, ansys_reader, apart, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, lsdyna_reader, med_reader, meshio_reader
+from . import mfem_reader, moab_reader, netgen_reader, off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings, stranger
@@ -25,6 +25,7 @@ from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings, s
 _READERS: dict[str, Any] = {
     **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "mfem": mfem_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
     **{"gambit": gambit_reader, "med": med_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader, "ucd": ucd_reader, "unv": unv_reader},
+    **{"ansys": ansys_reader, "lsdyna": lsdyna_reader},
 }  # by the keys of LIBRARIES
 _COMPRESSED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
 

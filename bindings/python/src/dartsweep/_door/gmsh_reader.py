@@ -66,8 +66,8 @@ def _read(gmsh: Any, path: str, known: str, source: str, format: str) -> Raw:
         if format == "bdf":
             numbers = np.sort(_signed(gmsh.model.mesh.getNodes(returnParametricCoord=False)[0]))
             raw.points = nastran_systems.placed(path, source, numbers, raw.points)
-            if raw.regions is None:
-                _label_entities(gmsh, raw)
+        if format in ("bdf", "diff") and raw.regions is None:
+            _label_entities(gmsh, raw)
         _check_count(path, format, raw)
         return raw
     except MeshError:
@@ -91,7 +91,7 @@ def _is_of_blocks(path: str, format: str) -> bool:
 
 
 def _label_entities(gmsh: Any, raw: Raw) -> None:
-    """Nastran's properties: Gmsh makes an entity of each."""
+    """Nastran's properties and Diffpack's materials: Gmsh makes an entity of each."""
     tags = raw.data["gmsh:tag"]
     raw.regions = np.zeros(len(tags), np.int32)
     for dimension, number in gmsh.model.getEntities():

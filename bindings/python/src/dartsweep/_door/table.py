@@ -39,7 +39,7 @@ LIBRARIES = {  # module to import, extra, title
     "gmsh": ("gmsh", "gmsh", "Gmsh"),
     "mfem": ("mfem", "mfem", "PyMFEM"),
     **{name: ("h5py", name, "h5py") for name in ("med", "moab")},
-    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "exodus", "gambit", "kratos", "netgen", "off", "su2", "ucd", "unv")},
+    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "ansys", "exodus", "gambit", "kratos", "lsdyna", "netgen", "off", "su2", "ucd", "unv")},
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }
 
@@ -70,6 +70,8 @@ DIALECTS = (
     _dialect("Nastran", ".bdf .nas .fem", "gmsh:bdf meshio:nastran", "properties as regions; coordinate systems"),
     _dialect("Gambit, neutral", ".neu", "gambit:neu", "groups as regions; boundary conditions", r"\s*CONTROL INFO"),
     _dialect("Abaqus", ".inp .msh", "abaqus:inp", "sets of elements; surfaces; coordinate systems; rows in files of their own", r"\s*\*"),
+    _dialect("Ansys, blocks", ".cdb .dat", "ansys:cdb", "materials as regions; components of elements", r"(?i)\s*(?:[/!]|[ne]block|c\*\*\*)"),
+    _dialect("LS-DYNA", ".k .key .dyn", "lsdyna:k", "parts as regions; sets of elements, parts and segments; files that it includes"),
     _dialect("Diffpack", ".diff", "gmsh:diff", "materials"),
     _dialect("MFEM", ".mesh .mfem", "mfem:mfem", "attributes as regions and surfaces, with names; curves", r"\s*MFEM "),
     _dialect("Netgen, neutral", ".mesh", "mfem:netgen", "sub-domains", r"\s*(?:NETGEN|areamesh2|curved_areamesh2)"),
@@ -90,6 +92,7 @@ DIALECTS = (
 )
 
 STRANGERS = (  # first bytes of files that nothing here reads, what they are, and a way on
+    (r"#usda|PXR-USDC", "it is a stage of USD", "dartsweep.Environment takes the points and tetVertexIndices of a TetMesh"),
     (r"#!TDV", "it is Tecplot's binary", "Tecplot and ParaView can write it as text or as VTK's"),
     (r"(?s).*GID_MESHSET", "it is a project of GiD", "GiD can export its mesh, such as for Abaqus or Nastran"),
     (r"(?is)\s*(?:#[^\n]*\n\s*)*MESH\b[^\n]*\bELEMTYPE\b", "it is a mesh of GiD", "GiD can export it, such as for Abaqus or Nastran"),
