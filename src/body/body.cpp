@@ -127,13 +127,6 @@ void shrink_to_fit(Body<D>& body) {
 }
 
 template <int D>
-void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
-  std::copy_n(position, D, body.vertices[vertex].position);
-  body.vertices[vertex].cell = cell;
-  mark_stale(body, vertex);
-}
-
-template <int D>
 void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept {
   std::copy_n(from, body.vertices.size(), body.vertices.begin());
   mark_all_stale(body);
@@ -300,7 +293,6 @@ DSW_INSTANTIATE(keep_corridors);
 DSW_INSTANTIATE(keep_forecasts);
 DSW_INSTANTIATE(restore_forecasts);
 DSW_INSTANTIATE(measure_lengths);
-DSW_INSTANTIATE(put_vertex);
 DSW_INSTANTIATE(put_vertices);
 DSW_INSTANTIATE(add_vertex);
 DSW_INSTANTIATE(add_edge);

@@ -234,9 +234,17 @@ const BodyBoxes<D>& fresh_boxes(const Body<D>& body) noexcept {
 template <int D>
 void tighten_bounds(Body<D>& body) noexcept;
 
+/** Leaves the boxes of a vertex that has moved to note_stale_ones, if boxes are kept. */
+template <int D>
+void mark_stale(Body<D>& body, uint32_t vertex) noexcept;
 /** Moves a vertex. */
 template <int D>
-void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept;
+void put_vertex(Body<D>& body, uint32_t vertex, const double* position, Cell cell) noexcept {
+  BodyVertex<D>& moved = body.vertices[vertex];
+  for (int k = 0; k < D; ++k) moved.position[k] = position[k];
+  moved.cell = cell;
+  if (!body.boxes.empty()) mark_stale(body, vertex);
+}
 /** Moves all vertices to where they were. */
 template <int D>
 void put_vertices(Body<D>& body, const BodyVertex<D>* from) noexcept;

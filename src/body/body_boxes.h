@@ -8,9 +8,6 @@ namespace dsw {
 /** Updates the boxes of a vertex, its edges and its faces. Those with a stale vertex are updated with that vertex. */
 template <int D>
 void note_vertex(const Body<D>& body, uint32_t vertex) noexcept;
-/** Leaves a vertex that has moved to note_stale_ones. */
-template <int D>
-void mark_stale(Body<D>& body, uint32_t vertex) noexcept;
 template <int D>
 void mark_all_stale(Body<D>& body) noexcept;
 /** Throws std::bad_alloc. */

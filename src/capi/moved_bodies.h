@@ -12,9 +12,8 @@ void check_targets(const Body<D>& body, PointArray targets, const MoveOrder& ord
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
-    if (!body.has_vertex(v)) continue;
-    const double* const t = targets[first + v];
-    if (!is_finite<D>(t)) fail_non_finite(targets, first + v, D, {"targets", true});
+    if (!is_finite<D>(targets[first + v]) && body.has_vertex(v))
+      fail_non_finite(targets, first + v, D, {"targets", true});
   }
 }
 

@@ -38,11 +38,6 @@ bool precedes(const TooNear<D>& a, const TooNear<D>& b) noexcept {
 
 }  // namespace
 
-template <int D>
-bool ThickSweep<D>::is_thick(const Partners<D>* partners, const Body<D>& body) noexcept {
-  return body.radius > 0 || (partners != nullptr && partners->has_thick);
-}
-
 /** The corners of a part with v first, and `to` if that is not null. */
 template <int D>
 typename ThickSweep<D>::Swept ThickSweep<D>::sweep_of(const Body<D>& body, const Simplex& part, uint32_t v,

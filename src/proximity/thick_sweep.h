@@ -49,7 +49,9 @@ class ThickSweep {
   double bend = 0;
 
   /** Whether a body has distances to keep from anything. `partners` may be null, here and below. */
-  static bool is_thick(const Partners<D>* partners, const Body<D>& body) noexcept;
+  static bool is_thick(const Partners<D>* partners, const Body<D>& body) noexcept {
+    return body.radius > 0 || (partners != nullptr && partners->has_thick);
+  }
   /** Whether a vertex can go to `to` with all that its level covers. */
   bool keeps(const Partners<D>* partners, const Body<D>& body, uint32_t v, const double* to);
   /** What comes too near first on that way; whether anything does. */

@@ -29,12 +29,12 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
   const bool edits = settings.may_edit();
   keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
-  Body<D> whole(env_.memory);
-  if (edits) whole = body;
+  Array<Body<D>> whole(env_.memory);  // one, or none
+  if (edits) whole.push_back(body);
   untested_.assign(body.untested.begin(), body.untested.end());
   const auto go_back = [&] {
     if (edits) {
-      std::swap(body, whole);
+      std::swap(body, whole[0]);
     } else {
       put_vertices(body, before_.data());
       std::copy(untested_.begin(), untested_.end(), body.untested.begin());
@@ -48,7 +48,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
-        Body<D> again = whole;
+        Body<D> again = whole[0];
         std::swap(body, again);
       } else {
         go_back();
@@ -202,7 +202,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
   double before[D];
   for (const uint32_t v : course_.order) {
     if (!course_.moves(v)) continue;
-    std::copy_n(course_.motion.body->position(v), D, before);
+    if (notes) std::copy_n(course_.motion.body->position(v), D, before);
     if (arrives(v)) {
       course_.arrive(v);
       if (notes) turns_.note(*course_.motion.body, v, before, false);

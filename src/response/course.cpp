@@ -15,13 +15,17 @@ void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
   vertices.assign(body->vertices.size(), Vertex{});
   keeps.assign(covers_faces(body->level) ? body->edges.size() : 0, true);
   const size_t count = wanted.vertices != nullptr ? wanted.count : body->vertices.size();
+  order.resize(count);
+  uint32_t told = 0;
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = wanted.vertices != nullptr ? wanted.vertices[i] : static_cast<uint32_t>(i);
-    if (!body->has_vertex(v)) continue;
+    const BodyVertex<D>& vertex = body->vertices[v];
+    if (!vertex.cell.valid()) continue;
     // One that is told to stay is done: nothing moves.
-    if (!std::equal(to[v], to[v] + D, body->position(v))) vertices[v].rank = static_cast<uint32_t>(order.size());
-    order.push_back(v);
+    if (!std::equal(to[v], to[v] + D, vertex.position)) vertices[v].rank = told;
+    order[told++] = v;
   }
+  order.resize(told);
 }
 
 template struct Course<2>;

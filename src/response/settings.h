@@ -50,18 +50,22 @@ struct PlainMotion {
   double translation[3] = {};
 };
 
+/** What a move counts, and how far the body got. */
+struct MoveSums {
+  double fraction = 1;
+  uint32_t moved = 0, stopped = 0, limited = 0;
+  SweepCounts sweeps;
+  PlainMotion left;  // of a rigid motion
+};
+
 /** What a move leaves for the host to read. */
-struct MoveRecord {
+struct MoveRecord : MoveSums {
   Array<dsw_body_contact> contacts;
   Array<dsw_contact_partner> partners;   // of the contacts, if bodies meet each other
   Array<dsw_previous_contact> previous;  // of the contacts: filled in when the move is done
   bool keeps_partners = false;
   Array<dsw_body_edit> edits;
-  Array<dsw_exit> exits;  // of vertices that leave
-  double fraction = 1;
-  uint32_t moved = 0, stopped = 0, limited = 0;
-  SweepCounts sweeps;
-  PlainMotion left;         // of a rigid motion
+  Array<dsw_exit> exits;    // of vertices that leave
   Array<double> ways_left;  // by slot, of a move at once
 
   explicit MoveRecord(const Memory* memory)
@@ -77,11 +81,18 @@ struct MoveRecord {
     previous.clear();
     edits.clear();
     exits.clear();
-    fraction = 1;
-    moved = stopped = limited = 0;
-    sweeps = {};
-    left = {};
     ways_left.clear();
+    static_cast<MoveSums&>(*this) = {};
+  }
+  void swap(MoveRecord& other) noexcept {
+    contacts.swap(other.contacts);
+    partners.swap(other.partners);
+    previous.swap(other.previous);
+    std::swap(keeps_partners, other.keeps_partners);
+    edits.swap(other.edits);
+    exits.swap(other.exits);
+    ways_left.swap(other.ways_left);
+    std::swap(static_cast<MoveSums&>(*this), static_cast<MoveSums&>(other));
   }
 };
 

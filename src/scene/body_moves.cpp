@@ -36,7 +36,7 @@ void remove_left(Scene<D>& scene, BodyRecord<D>& of) noexcept {
 template <int D>
 void end_move(Scene<D>& scene, BodyRecord<D>& of, const CastCounters& casts) noexcept {
   of.touches.follow(of.record, of.next, of.body.vertex_slots);
-  std::swap(of.record, of.next);
+  of.record.swap(of.next);
   refresh_body(scene, of);
   if (!scene.features.statistics) return;
   scene.statistics.cast.add(casts);

@@ -203,7 +203,7 @@ void RigidDeformCall<D>::finish_contacts(const MotionsLeft<D>& pushes) {
     }
     for (dsw_body_contact& contact : all.contacts) contact.distance_left = length(left_of(contact.vertex.index));
     if (all.stopped != 0) all.left = pushes.left(i);
-    std::swap(bodies_[i]->next, all);
+    bodies_[i]->next.swap(all);
   }
 }
 

@@ -112,7 +112,7 @@ void TouchHistory::follow(const MoveRecord& last, MoveRecord& next, const SlotPo
     keep(touch_of(last, find_last(stops_[i], false)->contact, now - 1));
   }
   for (; old != earlier.end(); ++old) keep(*old);
-  std::swap(earlier, later_);
+  earlier.swap(later_);
 }
 
 }  // namespace dsw

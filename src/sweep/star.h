@@ -45,7 +45,9 @@ class StarSweep {
            (partners == nullptr || is_merge_apart(*partners, body, v, into)) && keeps_distance(body, v, to);
   }
   /** Whether it keeps all distances of a thick body on that way. */
-  bool keeps_distance(const Body<D>& body, uint32_t v, const double* to) { return thick.keeps(partners, body, v, to); }
+  bool keeps_distance(const Body<D>& body, uint32_t v, const double* to) {
+    return !thick.is_thick(partners, body) || thick.keeps(partners, body, v, to);
+  }
   /** Whether it touches no partner on that way. */
   bool is_apart(const Body<D>& body, uint32_t v, const double* to) const {
     return partners == nullptr || is_way_apart(*partners, body, v, to, near);
