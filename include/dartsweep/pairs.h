@@ -50,7 +50,7 @@ enum {
  * @return DSW_STATUS_UNSUPPORTED: also a kind of another dimension; TOO_LARGE: count;
  * OUT_OF_MEMORY: some answers may be written.
  * @note Cost: mostly below a microsecond a pair, with ties or extreme ranges of doubles tens of
- * microseconds, at worst milliseconds. Ranks: O(count log count). Batch. Thread: any. @since 2.1 */
+ * microseconds, at worst a millisecond. Ranks: O(count log count). Batch. Thread: any. @since 2.1 */
 DSW_API dsw_status dsw_sweep_pairs(const dsw_context *context, uint32_t dimension, size_t count,
                                    const uint8_t *kinds, const double *from, const double *to,
                                    size_t stride_bytes, uint32_t flags, dsw_pair_touch *touches);

@@ -33,11 +33,13 @@ inline bool has_avx2() noexcept { return most_instructions() >= Instructions::kA
 inline bool has_avx512() noexcept { return most_instructions() >= Instructions::kAvx512; }
 bool has_avx2_and_fma() noexcept;
 
-/** Gives name_avx2 where this processor has AVX2, else name. */
+/** Gives name_avx2 where this processor has AVX2, else name; DSW_WITH_AVX512 gives name_avx512 where it has that. */
 #if DSW_X86_64
 #define DSW_WITH_AVX2(name) (::dsw::has_avx2() ? name##_avx2 : name)
+#define DSW_WITH_AVX512(name) (::dsw::has_avx512() ? name##_avx512 : DSW_WITH_AVX2(name))
 #else
 #define DSW_WITH_AVX2(name) (name)
+#define DSW_WITH_AVX512(name) (name)
 #endif
 
 /** The instructions that cells of each kind are walked through by. Any thread may read while one sets. */

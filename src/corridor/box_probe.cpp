@@ -12,7 +12,7 @@
 namespace dsw {
 namespace {
 
-const FacetsInBox kFacetsInBox = choose_facets_in_box();
+const FacetsInBox kFacetsInBox = DSW_WITH_AVX2(facets_in_box);
 
 }  // namespace
 
@@ -62,13 +62,6 @@ uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bou
     met |= (all == 0 ? 1u : 0u) << f;
   }
   return met;
-}
-
-FacetsInBox choose_facets_in_box() noexcept {
-#if DSW_X86_64
-  if (has_avx2()) return facets_in_box_avx2;
-#endif
-  return facets_in_box;
 }
 
 }  // namespace dsw

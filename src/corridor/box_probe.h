@@ -80,7 +80,6 @@ class BoxProbe<2> {
 /** The facets of a hexahedron that may meet a box, a bit each: no side of it has all of their vertices strictly beyond,
  * so that no shift could bring them together. */
 using FacetsInBox = uint32_t (*)(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
-FacetsInBox choose_facets_in_box() noexcept;
 uint32_t facets_in_box(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
 uint32_t facets_in_box_avx2(const double* points, const uint32_t* vertices, const Bounds<3>& box) noexcept;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/processor.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "corridor/fan.h"
@@ -17,7 +18,7 @@
 namespace dsw {
 namespace {
 
-const FindTetrahedronSigns kFindTetrahedronSigns = choose_find_tetrahedron_signs();
+const FindTetrahedronSigns kFindTetrahedronSigns = DSW_WITH_AVX2(find_tetrahedron_signs);
 
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
   return plane_side<3>(triangle, x, NoTally{}).sign;

@@ -1,8 +1,5 @@
 #include "predicates/tetrahedron_signs.h"
 
-#include "base/compiler.h"
-#include "base/processor.h"
-
 namespace dsw {
 
 void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* corners,
@@ -18,13 +15,6 @@ void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* 
     const std::uint8_t a = edges.a[k], b = edges.b[k];
     signs.lines[a][b] = signs.lines[b][a] = static_cast<std::uint8_t>(triangle.outside(corners[a], corners[b], 1));
   }
-}
-
-FindTetrahedronSigns choose_find_tetrahedron_signs() noexcept {
-#if DSW_X86_64
-  if (has_avx2()) return find_tetrahedron_signs_avx2;
-#endif
-  return find_tetrahedron_signs;
 }
 
 }  // namespace dsw

@@ -22,7 +22,6 @@ void find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* 
 void find_tetrahedron_signs_avx2(const SweptTriangle& triangle, const double* const* corners,
                                  TetrahedronSigns& signs) noexcept;
 #endif
-FindTetrahedronSigns choose_find_tetrahedron_signs() noexcept;
 
 // The edges that pass the plane, by the corners on its positive side: `count` of them, from a negative corner a to a
 // positive one b. Those left over repeat the first.

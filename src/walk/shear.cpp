@@ -30,27 +30,7 @@ bool passes_triangles(const double* from, const double* to, const FacetSpan<3>& 
   return line.passed_all();
 }
 
-namespace {
-
-MissedTriangles choose_missed_triangles() noexcept {
-#if DSW_X86_64
-  if (has_avx512()) return missed_triangles_avx512;
-  if (has_avx2()) return missed_triangles_avx2;
-#endif
-  return missed_triangles;
-}
-
-PassesTriangles choose_passes_triangles() noexcept {
-#if DSW_X86_64
-  if (has_avx512()) return passes_triangles_avx512;
-  if (has_avx2()) return passes_triangles_avx2;
-#endif
-  return passes_triangles;
-}
-
-}  // namespace
-
-const MissedTriangles kMissedTriangles = choose_missed_triangles();
-const PassesTriangles kPassesTriangles = choose_passes_triangles();
+const MissedTriangles kMissedTriangles = DSW_WITH_AVX512(missed_triangles);
+const PassesTriangles kPassesTriangles = DSW_WITH_AVX512(passes_triangles);
 
 }  // namespace dsw
