@@ -59,7 +59,7 @@ def test_errors_name_the_file_what_was_found_and_a_way_on(tmp_path: pathlib.Path
         ("mesh.xyz", "x", "the ending '.xyz' is not known"),
         ("mesh.mesh", "What is this?", "its first bytes are not those of .*MFEM.*Medit"),
         ("mesh.plt", "#!TDV112", "it is Tecplot's binary"),
-        ("mesh.msh", 'MESH "part" dimension 3 ElemType Tetrahedra Nnode 4\nCoordinates\n', "it is a mesh of GiD"),
+        ("mesh.msh", 'MESH "part" dimension 3 ElemType Tetrahedra Nnode 4\nCoordinates\n', "it is not as GiD writes it .it ends early"),
         ("mesh.vtu", "<VTKFile", "VTK can't read it"),
         ("mesh.med", "\x89HDF but no more", "it is not as MED is written .*; Gmsh can't read it .*; meshio can't read it"),
         ("mesh.inp", "*NODE\n1, 0, 0, 0\n*ELEMENT, TYPE=XYZ\n1, 1\n", "elements have the type 'XYZ'"),

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from .error import CutShort, MeshError
-from . import abaqus_reader, ansys_reader, apart, exodus_reader, gambit_reader, gmsh_reader, kratos_reader, lsdyna_reader, med_reader, meshio_reader
-from . import mfem_reader, moab_reader, netgen_reader, off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
+from . import abaqus_reader, ansys_reader, apart, elmer_reader, exodus_reader, febio_reader, gambit_reader, gid_reader, gmsh_reader, kratos_reader, lsdyna_reader, med_reader
+from . import meshio_reader, mfem_reader, moab_reader, netgen_reader, off_reader, su2_reader, ucd_reader, unv_reader, vtk_files
 from .mesh import Mesh
 from .raw import Raw, mesh_of
 from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings, stranger
@@ -25,8 +25,9 @@ from .table import DIALECTS, LIBRARIES, Dialect, Reader, dialects_of, endings, s
 _READERS: dict[str, Any] = {
     **{"vtk": vtk_files, "meshio": meshio_reader, "gmsh": gmsh_reader, "mfem": mfem_reader, "moab": moab_reader, "abaqus": abaqus_reader, "exodus": exodus_reader},
     **{"gambit": gambit_reader, "med": med_reader, "kratos": kratos_reader, "netgen": netgen_reader, "off": off_reader, "su2": su2_reader, "ucd": ucd_reader, "unv": unv_reader},
-    **{"ansys": ansys_reader, "lsdyna": lsdyna_reader},
+    **{"ansys": ansys_reader, "lsdyna": lsdyna_reader, "elmer": elmer_reader, "febio": febio_reader, "gid": gid_reader},
 }  # by the keys of LIBRARIES
+_ELMER = "mesh.header"
 _COMPRESSED: dict[str, Any] = {".gz": gzip.open, ".bz2": bz2.open, ".xz": lzma.open}
 
 
@@ -39,6 +40,8 @@ def read(path: str | os.PathLike[str], quadratic: str = "corners") -> Mesh:
     if os.path.isdir(name) and os.path.isdir(os.path.join(name, "constant", "polyMesh")):
         with _foam_file(name) as known:
             return _of_dialects(known, source, [dialect for dialect in DIALECTS if ".foam" in dialect.endings], quadratic)
+    if os.path.isfile(os.path.join(name, _ELMER)):
+        name = os.path.join(name, _ELMER)
     with open(name, "rb"):  # an OSError names the path
         pass
     with _plain(name, source) as known:

@@ -39,7 +39,7 @@ LIBRARIES = {  # module to import, extra, title
     "gmsh": ("gmsh", "gmsh", "Gmsh"),
     "mfem": ("mfem", "mfem", "PyMFEM"),
     **{name: ("h5py", name, "h5py") for name in ("med", "moab")},
-    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "ansys", "exodus", "gambit", "kratos", "lsdyna", "netgen", "off", "su2", "ucd", "unv")},
+    **{name: ("numpy", "", "NumPy") for name in ("abaqus", "ansys", "elmer", "exodus", "febio", "gambit", "gid", "kratos", "lsdyna", "netgen", "off", "su2", "ucd", "unv")},
     "surface": ("trimesh", "surfaces", "trimesh, TetGen"),
 }
 
@@ -84,6 +84,9 @@ DIALECTS = (
     _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<(?:.*<)?dolfin"),
     _dialect("FLAC3D", ".f3grid", "meshio:flac3d", "groups"),
     _dialect("Kratos", ".mdpa", "kratos:mdpa", "properties as regions; sub-model parts"),
+    _dialect("FEBio", ".feb", "febio:feb", "parts as regions; surfaces; sets of elements; lists of parts", r"\s*<"),
+    _dialect("Elmer", ".header", "elmer:elmer", "bodies as regions; boundaries; both with names"),
+    _dialect("GiD", ".msh", "gid:gid", "meshes and materials as regions", r"(?is)\s*(?:#[^\n]*\n\s*)*(?:GROUP\b[^\n]*\n\s*)?MESH\b[^\n]*\bELEMTYPE\b"),
     _dialect("PERMAS", ".post .dato", "meshio:permas", "cells only"),
     _dialect("AFLR", ".ugrid", "meshio:ugrid", "references"),
     _dialect("H5M of meshio", ".hmf", "meshio:hmf", "cell data"),
@@ -95,7 +98,6 @@ STRANGERS = (  # first bytes of files that nothing here reads, what they are, an
     (r"#usda|PXR-USDC", "it is a stage of USD", "dartsweep.Environment takes the points and tetVertexIndices of a TetMesh"),
     (r"#!TDV", "it is Tecplot's binary", "Tecplot and ParaView can write it as text or as VTK's"),
     (r"(?s).*GID_MESHSET", "it is a project of GiD", "GiD can export its mesh, such as for Abaqus or Nastran"),
-    (r"(?is)\s*(?:#[^\n]*\n\s*)*MESH\b[^\n]*\bELEMTYPE\b", "it is a mesh of GiD", "GiD can export it, such as for Abaqus or Nastran"),
 )
 
 

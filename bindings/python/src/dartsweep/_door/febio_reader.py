@@ -1,0 +1,125 @@
+"""Models of FEBio (.feb) of the versions 2 to 4: parts are regions; surfaces, sets and lists of parts keep their names."""
+
+from __future__ import annotations
+
+import os
+import xml.etree.ElementTree
+from typing import Any
+
+import numpy as np
+
+from . import linear, rows
+from .error import MeshError
+from .raw import Raw
+
+_TYPES = {
+    **{"tet4": 10, "tet10": 24, "tet15": 24, "tet20": 10, "hex8": 12, "hex20": 25, "hex27": 29, "penta6": 13, "penta15": 26, "pyra5": 14, "pyra13": 27},
+    **{"tri3": 5, "tri6": 22, "tri7": 34, "tri10": 5, "quad4": 9, "quad8": 23, "quad9": 28, "line2": 3, "line3": 21, "truss2": 3},
+    **{"q4": 9, "q4ans": 9, "q4eas": 9, "t3": 5, "t6": 22, "q8": 23},
+}  # by the first letters of a type, which may go on in a rule of integration, such as TET10G8
+_WIDTHS = {10: 4, 24: 10, 12: 8, 25: 20, 29: 27, 13: 6, 26: 15, 14: 5, 27: 13, 5: 3, 22: 6, 34: 7, 9: 4, 23: 8, 28: 9, 3: 2, 21: 3}
+_ORDER = {29: [*range(20), 23, 21, 20, 22, 24, 25, 26]}  # VTK's order of the middles of faces
+_WAY_ON = "FEBio Studio can write it anew, also as VTK's"
+
+
+def read(path: str, source: str, format: str) -> Raw:
+    """The cells of a model."""
+    try:
+        return _Reading(path, source).raw()
+    except (ValueError, KeyError, AttributeError, OSError, xml.etree.ElementTree.ParseError) as error:
+        if isinstance(error, MeshError):
+            raise
+        raise MeshError(source, f"it is not as FEBio writes it ({error})", _WAY_ON) from error
+
+
+class _Reading:
+    """Nodes, parts, surfaces and sets of a model."""
+
+    def __init__(self, path: str, source: str) -> None:
+        self.source = source
+        self.nodes: list[int] = []
+        self.places: list[list[float]] = []
+        self.kinds: list[int] = []
+        self.cells: list[list[int]] = []
+        self.ids: list[int] = []
+        self.parts: dict[str, list[int]] = {}
+        mesh = _mesh_of(path)
+        if mesh is None:
+            raise MeshError(source, "it has no mesh", _WAY_ON)
+        if mesh.find("Part") is not None or mesh.find("Instance") is not None:
+            raise MeshError(source, "its mesh is made of parts and instances", _WAY_ON)
+        for nodes in mesh.iter("Nodes"):
+            for node in nodes.iter("node"):
+                self.nodes.append(int(node.attrib["id"]))
+                self.places.append([float(word) for word in _words(node)])
+        for elements in mesh.findall("Elements"):
+            self._add_part(elements)
+        self.mesh = mesh
+
+    def _add_part(self, elements: Any) -> None:
+        name = elements.get("name") or elements.get("elset") or elements.get("mat") or str(len(self.parts) + 1)
+        kind = _type_of(elements.get("type", ""), self.source)
+        start = len(self.cells)
+        for element in elements:
+            self.cells.append(_nodes_of(element, kind, self.source))
+            self.ids.append(int(element.attrib["id"]))
+        self.kinds += [kind] * (len(self.cells) - start)
+        self.parts.setdefault(name, []).extend(range(start, len(self.cells)))
+
+    def raw(self) -> Raw:
+        points = rows.Numbers(self.nodes, "node")
+        cells = rows.cells_of(self.kinds, [points.of(cell) for cell in self.cells])
+        raw = Raw(np.array(self.places, np.float64).reshape(-1, 3), cells, source=self.source, reader="NumPy")
+        raw.regions = np.zeros(len(self.kinds), np.int64)
+        for label, (name, members) in enumerate(self.parts.items(), 1):
+            raw.regions[members] = label
+            raw.groups[name] = np.array(members, np.int64)
+            if np.any(linear.DIMENSION[raw.cells.types[members]] == linear.DIMENSION[raw.cells.types].max(initial=0)):
+                raw.region_names[name] = label
+        place = rows.Numbers(self.ids, "element")
+        for elements in self.mesh.findall("ElementSet"):
+            numbers = [int(element.attrib["id"]) for element in elements] if len(elements) else [int(word) for word in _words(elements)]
+            raw.groups[elements.attrib["name"]] = np.unique(np.array(place.of(numbers), np.int64))
+        for parts in self.mesh.findall("PartList"):
+            raw.groups[parts.attrib["name"]] = np.array(sorted(i for name in _words(parts) for i in self.parts[name]), np.int64)
+        for surface in self.mesh.findall("Surface"):
+            faces = [points.of(self._corners(face)) for face in surface]
+            raw.sides.append((surface.attrib["name"], *rows.ragged(faces)))
+        return raw
+
+    def _corners(self, face: Any) -> list[int]:
+        kind = _type_of(face.tag, self.source)
+        return _nodes_of(face, kind, self.source)[: _WIDTHS[linear.corner_type(kind)]]
+
+
+def _mesh_of(path: str) -> Any:
+    """The part of the model that has the mesh, which may be in a file of its own."""
+    root = xml.etree.ElementTree.parse(path).getroot()
+    for _ in range(8):
+        every: list[Any] = [root, root.find("Mesh"), root.find("Geometry")]
+        mesh = next((one for one in every if one is not None and one.tag in ("Mesh", "Geometry")), None)
+        if mesh is None or mesh.get("from") is None:
+            return mesh
+        path = os.path.join(os.path.dirname(path), mesh.attrib["from"])
+        root = xml.etree.ElementTree.parse(path).getroot()
+    return None
+
+
+def _type_of(name: str, source: str) -> int:
+    low = name.lower()
+    found = max((known for known in _TYPES if low.startswith(known)), key=len, default=None)
+    if found is None:
+        raise MeshError(source, f"elements have the type '{name}'", _WAY_ON)
+    return _TYPES[found]
+
+
+def _nodes_of(element: Any, kind: int, source: str) -> list[int]:
+    """Nodes in VTK's order; those that VTK's type has not, such as the middles of the faces of a TET15, are left out."""
+    nodes = [int(word) for word in _words(element)]
+    if len(nodes) < _WIDTHS[kind]:
+        raise MeshError(source, f"element {element.get('id')} has {len(nodes)} nodes, where its type has {_WIDTHS[kind]}", _WAY_ON)
+    return [nodes[i] for i in _ORDER.get(kind, range(_WIDTHS[kind]))]
+
+
+def _words(element: Any) -> list[str]:
+    return (element.text or "").replace(",", " ").split()

@@ -1,0 +1,104 @@
+"""Models of FEBio, Elmer and GiD: small files written here, against what their texts say."""
+
+from __future__ import annotations
+
+import pathlib
+from typing import Any
+
+import pytest
+
+import dartsweep as ds
+from volumes import CUBE, PRISM, volume_of
+
+POINTS = [*PRISM, (0, 0, -1)]  # a wedge above a tetrahedron
+HIGH = [*CUBE, *((CUBE[a] + CUBE[b]) / 2 for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)))]
+
+
+def sizes(environment: ds.Environment) -> dict[str, int]:
+    return {name: len(environment.faces(name)) for name in environment.surface_names}
+
+
+def febio(root: str, nodes: Any, parts: str, more: str) -> str:
+    places = "".join(f'<node id="{i}">{x:g},{y:g},{z:g}</node>' for i, (x, y, z) in enumerate(nodes, 11))
+    return f'<?xml version="1.0"?><febio_spec version="4.0"><Material/><{root}><Nodes name="all">{places}</Nodes>{parts}{more}</{root}></febio_spec>'
+
+
+@pytest.mark.parametrize(("root", "members"), [("Mesh", "7,8"), ("Geometry", '<elem id="7"/><elem id="8"/>')])
+def test_models_of_febio_keep_parts_surfaces_and_sets(tmp_path: pathlib.Path, root: str, members: str) -> None:
+    parts = '<Elements type="penta6" name="bone"><elem id="7">11,12,13,14,15,16</elem></Elements>'
+    parts += '<Elements type="TET4G4" name="cartilage"><elem id="8"> 11, 13, 12, 17 </elem></Elements>'
+    more = '<Surface name="top"><tri3 id="1">14,15,16</tri3></Surface><Surface name="side"><quad4 id="1">11,12,15,14</quad4></Surface>'
+    more += f'<ElementSet name="joint">{members}</ElementSet><PartList name="hard">bone</PartList>'
+    (tmp_path / "two.feb").write_text(febio(root, POINTS, parts, more))
+    with ds.read(tmp_path / "two.feb") as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.info.part_count == 1 and environment.notes == ()
+        assert environment.regions() == [1, 2] and environment.region_names["cartilage"] == 2
+        assert set(environment.region_groups) >= {"bone", "cartilage", "joint", "hard"}
+        assert sizes(environment) == {"top": 1, "side": 1}
+
+
+def test_models_of_febio_in_several_files_and_of_unknown_elements(tmp_path: pathlib.Path) -> None:
+    part = '<Elements type="{}" name="cube"><elem id="1">{}</elem></Elements>'
+    model = febio("Mesh", HIGH, part.format("hex20", ",".join(map(str, range(11, 31)))), "")
+    (tmp_path / "mesh.feb").write_text(model)
+    (tmp_path / "model.feb").write_text('<febio_spec version="4.0"><Mesh from="mesh.feb"/></febio_spec>')
+    with ds.read(tmp_path / "model.feb", quadratic="split") as environment:
+        assert environment.info.volume_count == 8 and volume_of(environment) == pytest.approx(1)
+    for parts, reason in (
+        (part.format("quark4", "11"), "elements have the type 'quark4'"),
+        (part.format("tet4", "11,12,13"), "element 1 has 3 nodes, where its type has 4"),
+        (part.format("tet4", "11,12,13,99"), "node 99 is not there"),
+        ("<Instance/>", "parts and instances"),
+    ):
+        (tmp_path / "mesh.feb").write_text(febio("Mesh", HIGH, parts, ""))
+        with pytest.raises(ds.MeshError, match=reason):
+            ds.read(tmp_path / "mesh.feb")
+
+
+def elmer(folder: pathlib.Path, nodes: Any, elements: str, boundary: str, names: str) -> None:
+    counts = len(nodes), elements.count("\n"), boundary.count("\n")
+    places = "".join(f"{i} -1 {x:g} {y:g} {z:g}\n" for i, (x, y, z) in enumerate(nodes, 1))
+    header = f"{counts[0]} {counts[1]} {counts[2]}\n1\n504 1\n"
+    for name, text in {"header": header, "nodes": places, "elements": elements, "boundary": boundary, "names": names}.items():
+        (folder / f"mesh.{name}").write_text(text)
+
+
+@pytest.mark.parametrize("comments", [("! ----- names for bodies -----\n", "! ----- names for boundaries -----\n"), ("", "")])
+def test_meshes_of_elmer_keep_bodies_and_boundaries(tmp_path: pathlib.Path, comments: tuple[str, str]) -> None:
+    names = f"{comments[0]}$ bone = 1\n$ soft tissue = 2\n{comments[1]}$ top = 1\n$ side = 2\n$ top = 3\n"
+    boundary = "1 1 1 0 303 4 5 6\n2 2 1 0 404 1 2 5 4\n3 3 2 0 303 1 3 7\n4 4 2 0 303 1 2 7\n"
+    elmer(tmp_path, POINTS, "1 1 706 1 2 3 4 5 6\n2 2 504 1 3 2 7\n", boundary, names)
+    for path in (tmp_path, tmp_path / "mesh.header"):
+        with ds.read(path) as environment:
+            assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
+            assert environment.region_names == {"bone": 1, "soft tissue": 2} and sizes(environment) == {"top": 2, "side": 1, "4": 1}
+    (tmp_path / "mesh.elements").write_text("1 1 706 1 2 3 4 5 6\n")
+    with pytest.raises(ds.MeshError, match="7 nodes, 1 elements and 4 of the boundary, where its header says"):
+        ds.read(tmp_path)
+
+
+def test_quadratic_cells_of_elmer(tmp_path: pathlib.Path) -> None:
+    order = [*range(1, 13), 17, 18, 19, 20, 13, 14, 15, 16]  # the sides upwards come before those on top
+    elmer(tmp_path, HIGH, "1 1 820 " + " ".join(map(str, order)) + "\n", "", "")
+    with ds.read(tmp_path, quadratic="split") as environment:
+        assert environment.info.volume_count == 8 and volume_of(environment) == pytest.approx(1)
+
+
+def gid(names: tuple[str, str], materials: tuple[str, str]) -> str:
+    places = "".join(f"{i} {x:g} {y:g} {z:g}\n" for i, (x, y, z) in enumerate(POINTS, 11))
+    wedge = f"MESH {names[0]} dimension 3 ElemType Prism Nnode 6\nCoordinates\n{places}end coordinates\nElements\n1 11 12 13 14 15 16 {materials[0]}\nend elements\n"
+    tetrahedron = f"MESH {names[1]} dimension = 3 ElemType Tetrahedra  Nnode 4\ncoordinates\nend coordinates\nelements\n2 11 13 12 17 {materials[1]}\nend elements\n"
+    return f'# made by a test\n{wedge}{tetrahedron}MESH "lid" dimension 3 ElemType Triangle Nnode 3\nCoordinates\nEnd Coordinates\nElements\n3 14 15 16\nEnd Elements\n'
+
+
+def test_meshes_of_gid_keep_names_or_materials(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "two.post.msh").write_text(gid(('"bone one"', '"soft"'), ("", "")))
+    with ds.read(tmp_path / "two.post.msh") as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
+        assert environment.region_names == {"bone one": 1, "soft": 2} and sizes(environment) == {"lid": 1}
+    (tmp_path / "two.msh").write_text(gid(("", "Layer0"), ("5", "9")))
+    with ds.read(tmp_path / "two.msh") as environment:
+        assert environment.regions() == [5, 9] and "Layer0" in environment.region_groups
+    (tmp_path / "two.msh").write_text(gid(("", ""), ("", "")).replace("Prism", "Sphere"))
+    with pytest.raises(ds.MeshError, match="elements have the type 'Sphere', with 6 nodes"):
+        ds.read(tmp_path / "two.msh")
