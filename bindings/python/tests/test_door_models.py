@@ -39,11 +39,17 @@ def test_models_of_febio_keep_parts_surfaces_and_sets(tmp_path: pathlib.Path, ro
 
 def test_models_of_febio_in_several_files_and_of_unknown_elements(tmp_path: pathlib.Path) -> None:
     part = '<Elements type="{}" name="cube"><elem id="1">{}</elem></Elements>'
-    model = febio("Mesh", HIGH, part.format("hex20", ",".join(map(str, range(11, 31)))), "")
+    top = '<Surface name="top"><quad8 id="1">15,16,17,18,23,24,25,26</quad8></Surface>'
+    model = febio("Mesh", HIGH, part.format("hex20", ",".join(map(str, range(11, 31)))), top)
     (tmp_path / "mesh.feb").write_text(model)
     (tmp_path / "model.feb").write_text('<febio_spec version="4.0"><Mesh from="mesh.feb"/></febio_spec>')
     with ds.read(tmp_path / "model.feb", quadratic="split") as environment:
         assert environment.info.volume_count == 8 and volume_of(environment) == pytest.approx(1)
+        assert sizes(environment) == {"top": 4} and environment.notes == ()
+    shells = febio("Mesh", CUBE, '<Elements type="quad4" name="skin"><elem id="1">11,12,13,14</elem></Elements>', top.replace("quad8", "quad4"))
+    (tmp_path / "shells.feb").write_text(shells)
+    with ds.read(tmp_path / "shells.feb") as environment:
+        assert environment.dimension == 2 and "surface 'top' is one of shells" in environment.notes[-1]
     for parts, reason in (
         (part.format("quark4", "11"), "elements have the type 'quark4'"),
         (part.format("tet4", "11,12,13"), "element 1 has 3 nodes, where its type has 4"),

@@ -55,6 +55,19 @@ class _Reading:
         for elements in mesh.findall("Elements"):
             self._add_part(elements)
         self.mesh = mesh
+        self.is_solid = any(linear.DIMENSION[kind] == 3 for kind in self.kinds)
+        self.surfaces: dict[str, list[int]] = {}
+        for surface in mesh.findall("Surface") if self.is_solid else ():
+            self._add_surface(surface)
+
+    def _add_surface(self, surface: Any) -> None:
+        """Faces as cells, so that those of second order are divided as the sides of solids are."""
+        start = len(self.cells)
+        for face in surface:
+            kind = _type_of(face.tag, self.source)
+            self.kinds.append(kind)
+            self.cells.append(_nodes_of(face, kind, self.source))
+        self.surfaces.setdefault(surface.attrib["name"], []).extend(range(start, len(self.cells)))
 
     def _add_part(self, elements: Any) -> None:
         name = elements.get("name") or elements.get("elset") or elements.get("mat") or str(len(self.parts) + 1)
@@ -82,14 +95,11 @@ class _Reading:
             raw.groups[elements.attrib["name"]] = np.unique(np.array(place.of(numbers), np.int64))
         for parts in self.mesh.findall("PartList"):
             raw.groups[parts.attrib["name"]] = np.array(sorted(i for name in _words(parts) for i in self.parts[name]), np.int64)
-        for surface in self.mesh.findall("Surface"):
-            faces = [points.of(self._corners(face)) for face in surface]
-            raw.sides.append((surface.attrib["name"], *rows.ragged(faces)))
+        for name, members in self.surfaces.items():
+            raw.groups[name] = np.array(members, np.int64)
+        if not self.is_solid:
+            raw.notes += [f"the surface '{surface.attrib['name']}' is one of shells, and was left out" for surface in self.mesh.findall("Surface")]
         return raw
-
-    def _corners(self, face: Any) -> list[int]:
-        kind = _type_of(face.tag, self.source)
-        return _nodes_of(face, kind, self.source)[: _WIDTHS[linear.corner_type(kind)]]
 
 
 def _mesh_of(path: str) -> Any:
