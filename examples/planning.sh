@@ -31,7 +31,7 @@ make_venv "$venv" /usr/bin/python3 "$source/requirements.txt"
 
 echo "building the library and its Python binding"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} PATH=$venv/bin:$PATH # SWIG
-quietly "building the binding" "$venv/bin/pip" install --disable-pip-version-check --no-deps --no-build-isolation \
+quietly "building the binding" "$venv/bin/python" "$(pip_of /usr/bin/python3)" install --disable-pip-version-check --no-deps --no-build-isolation \
   --force-reinstall "$root/bindings/python" --config-settings=build-dir="$out/binding"
 
 OMP_NUM_THREADS=1 "$venv/bin/python" "$source/sweep.py" --out "$out" "$@"

@@ -45,13 +45,21 @@ install_missing() {
   quietly "installing ${missing[*]}" apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# pip_of PYTHON: the file of the pip that its `ensurepip` holds. To run it from there is quicker than to install it.
+pip_of() {
+  "$1" -c 'import ensurepip, glob, os, sysconfig
+folder = sysconfig.get_config_var("WHEEL_PKG_DIR") or os.path.join(os.path.dirname(ensurepip.__file__), "_bundled")
+print(glob.glob(os.path.join(folder, "pip-*.whl"))[0] + "/pip")'
+}
 # make_venv FOLDER PYTHON LIST...: Python modules, pinned, in a folder of their own; again only when the lists have changed.
+# Modules are compiled when they are first used, also where the environment asks Python to compile them each time.
 make_venv() {
   local venv=$1 python=$2
+  unset PYTHONDONTWRITEBYTECODE
   shift 2
   ! cat "$@" | cmp -s - "$venv/installed.txt" || return 0
   echo "installing $(cat "$@" | grep -v '^#' | tr '\n' ' ')in ${venv#"$root/"}"
-  quietly "creating ${venv#"$root/"}" "$python" -m venv --clear "$venv"
-  quietly "installing Python modules" "$venv/bin/python" -m pip install --no-compile --disable-pip-version-check "${@/#/-r}" # what is used is compiled then
+  quietly "creating ${venv#"$root/"}" "$python" -m venv --clear --without-pip "$venv"
+  quietly "installing Python modules" "$venv/bin/python" "$(pip_of "$python")" install --no-compile --disable-pip-version-check "${@/#/-r}"
   cat "$@" > "$venv/installed.txt"
 }
