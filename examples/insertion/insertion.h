@@ -61,6 +61,10 @@ class Run {
   Totals totals_;
 };
 
+// Inserts the catheter, prints the figures to standard output, and writes what options.out asks for. Whether every step was verified.
+// Throws BadInput, std::invalid_argument where there is no route, LibraryError.
+bool insert(const Options& options);
+
 // What the catheter is made of: as that of physics/catheter.h in a lumen of 2 mm radius, in one of another radius scaled with it.
 physics::CatheterOptions fit_catheter(const Options& options, double radius, double way);
 
