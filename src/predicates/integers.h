@@ -75,18 +75,22 @@ struct Span {
   explicit Span(const double* const (&points)[Count]) noexcept {
     for (int k = 0; k < D; ++k) {
       int lowest = 4096;
-      int highest = 0;
+      std::uint64_t largest = 0;  // the bits of positive doubles are in their order
       for (int i = 0; i < Count; ++i) {
         const Decoded d = decode(points[i][k]);
-        // The bits set here only keep a zero, which counts for neither end, from an undefined count.
+        const std::uint64_t bits = bits_of(points[i][k]) << 1;
+        largest = bits > largest ? bits : largest;
+        // The bit set here only keeps a zero, which counts for neither end, from an undefined count.
         const int lo =
             d.magnitude != 0 ? d.exponent + static_cast<int>(lowest_bit(d.magnitude | (std::uint64_t{1} << 53))) : 4096;
-        const int hi = d.magnitude != 0 ? d.exponent + 1 + static_cast<int>(highest_bit(d.magnitude | 1)) : 0;
         lowest = lo < lowest ? lo : lowest;
-        highest = hi > highest ? hi : highest;
       }
-      low[k] = highest == 0 ? 0 : lowest;
-      width = highest - low[k] > width ? highest - low[k] : width;
+      low[k] = 0;
+      if (largest == 0) continue;
+      low[k] = lowest;
+      const Decoded d = decode(of_bits(largest >> 1));
+      const int bits = d.exponent + 1 + static_cast<int>(highest_bit(d.magnitude)) - lowest;
+      width = bits > width ? bits : width;
     }
     small = width <= 62;
   }
@@ -137,13 +141,12 @@ struct Small {
   using Minor = Int128;             // below 2^127
   using Det = Int256;               // below 2^192
 
-  // low is the lowest set bit of the whole axis, so neither shift loses anything.
+  // low is the lowest set bit of the whole axis, so the result is an integer of the digits of x, and no product is rounded: the
+  // first one lies between x and the result. Two products, as their factor need not be a double.
   static Coordinate coordinate(double x, int low) noexcept {
-    const Decoded d = decode(x);
-    if (d.magnitude == 0) return 0;
-    const int shift = d.exponent - low;
-    const std::uint64_t m = shift >= 0 ? d.magnitude << shift : d.magnitude >> -shift;
-    return d.negative ? -static_cast<std::int64_t>(m) : static_cast<std::int64_t>(m);
+    const int up = 1075 - low, half = up / 2;
+    const auto power_of_two = [](int exponent) { return of_bits(static_cast<std::uint64_t>(1023 + exponent) << 52); };
+    return static_cast<std::int64_t>(x * power_of_two(half) * power_of_two(up - half));
   }
   static Difference subtract(Coordinate a, Coordinate b) noexcept { return a - b; }
   static Difference negate(Difference a) noexcept { return -a; }
