@@ -165,7 +165,7 @@ class GrownHull {
 }  // namespace
 
 template <int D>
-HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest) noexcept
+HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest, double within) noexcept
     : hull_a_(a), hull_b_(b), rest_(rest) {
   const double* const origin = b.points[0];
   double size = 0;
@@ -173,6 +173,11 @@ HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b, const double* re
     for (uint32_t i = 0; i < hull.count; ++i) {
       out[i] = difference<D>(hull.points[i], origin);
       if (beside != nullptr && i + 1 == hull.count) out[i] += to_vec<D>(beside);
+      const double far = largest(out[i]);
+      if (far > within && std::isfinite(far)) {
+        const int shift = std::ilogb(far) - std::ilogb(within);
+        for (int k = 0; k < D; ++k) out[i][k] = std::ldexp(out[i][k], -shift);
+      }
       size = std::max(size, largest(out[i]));
     }
   };
@@ -231,23 +236,26 @@ double HullPair<D>::bound_in(const Vec& direction) const noexcept {
 
 namespace {
 
-template <int D>
-HullGap find_gap_of(const HullPair<D>& pair, double enough, double least) noexcept {
-  constexpr int kMostSteps = 32;
-  constexpr double kDecided = 0x1p-47;    // of the size; coordinates are at most 1
-  constexpr double kHidden = 0x1p-31;     // of the distance
-  constexpr double kUndecided = 0x1p-36;  // of the distance, if the bound is below `least`
-  HullGap gap;
-  if (!pair.is_finite()) return gap;
-  enough /= pair.unit();
-  least /= pair.unit();
+constexpr double kHidden = 0x1p-31;  // of the distance
+
+/** What a search in doubles finds: in units. */
+struct Found {
   Simplex simplex;
+  HullDirection best;
+  double distance = 0;
+  bool is_decided = false;  // nothing more is asked
+};
+
+template <int D>
+Found search(const HullPair<D>& pair, double enough, double least) noexcept {
+  constexpr int kMostSteps = 32;
+  constexpr double kDecided = 0x1p-47;  // of the size; coordinates are at most 1
+  Found found;
+  auto& [simplex, best, distance, is_decided] = found;
   simplex.corners[0] = pair.corner(0, 0);
   simplex.nearest = simplex.corners[0].at;
   simplex.count = 1;
-  HullDirection best;
-  double distance = length(simplex.nearest);
-  bool is_decided = false;  // nothing more is asked
+  distance = length(simplex.nearest);
   for (int step = 0; step < kMostSteps && distance > 0; ++step) {
     const double bound = pair.bound_in(simplex.nearest);
     if (bound > best.bound) best = {bound, simplex.nearest};
@@ -262,6 +270,40 @@ HullGap find_gap_of(const HullPair<D>& pair, double enough, double least) noexce
     distance = nearer;
     if (distance > 0) simplex = more;
   }
+  return found;
+}
+
+/** Where points of the first hull are so far away that a number as long as theirs has no digits for the rest, these are drawn nearer. */
+template <int D>
+void look_nearby(const HullPair<D>& pair, double enough, HullGap& gap) noexcept {
+  constexpr double kFar = 0x1p24;
+  const ConvexHull &a = pair.hull_a(), &b = pair.hull_b();
+  const auto size_of = [&](const double* point) { return largest(difference<D>(point, b.points[0])); };
+  double size = size_of(a.points[0]);
+  for (uint32_t i = 1; i < a.count; ++i) size = std::min(size, size_of(a.points[i]));
+  for (uint32_t i = 1; i < b.count; ++i) size = std::max(size, size_of(b.points[i]));
+  const double within = kFar * std::max(size, enough);
+  // What denormal numbers lose matters to shorter distances.
+  if (!(within < pair.unit() / 2) || enough < 0x1p-1000) return;
+  const HullPair<D> nearby(a, b, pair.rest(), within);
+  if (!nearby.is_finite()) return;
+  const HullDirection best = search(nearby, enough / nearby.unit(), enough / nearby.unit()).best;
+  const double bound = in_units(best.bound, nearby.unit());
+  if (!(bound >= enough)) return;
+  gap.bound = bound;
+  gap.distance = std::max(gap.distance, bound);
+  gap.normal = unit(best.direction);
+}
+
+template <int D>
+HullGap find_gap_of(const HullPair<D>& pair, double enough, double least) noexcept {
+  constexpr double kUndecided = 0x1p-36;  // of the distance, if the bound is below `least`
+  HullGap gap;
+  if (!pair.is_finite()) return gap;
+  const double wanted = std::min(enough, least);
+  enough /= pair.unit();
+  least /= pair.unit();
+  auto [simplex, best, distance, is_decided] = search(pair, enough, least);
   // The distance lies between the bound and what is reached. From kSmall on the rounding of the latter does not matter.
   const double reached = simplex.reached(), open = reached - best.bound;
   const bool is_hidden = distance < kSmall || open > (best.bound < least ? kUndecided : kHidden) * reached;
@@ -277,6 +319,7 @@ HullGap find_gap_of(const HullPair<D>& pair, double enough, double least) noexce
   gap.bound = in_units(best.bound, pair.unit());
   gap.distance = distance * pair.unit();
   gap.normal = unit(best.direction);
+  if (gap.bound < wanted) look_nearby(pair, wanted, gap);
   return gap;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Two hulls side by side, for the search in doubles and the one in double-doubles. Private to this folder.
 
+#include <limits>
+
 #include "predicates/hull_gap.h"
 
 namespace dsw {
@@ -22,8 +24,11 @@ struct HullDirection {
 template <int D>
 class HullPair {
  public:
-  /** @param rest null, or where the last point of the first hull lies beside its rounded place. */
-  HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest = nullptr) noexcept;
+  /** @param rest null, or where the last point of the first hull lies beside its rounded place.
+   * @param within points of the first hull that are farther are drawn nearer, straight to the first point of the second one. A direction
+   * that shows the drawn hulls apart shows as much of the hulls themselves: what comes back moves away from that point. */
+  HullPair(const ConvexHull& a, const ConvexHull& b, const double* rest = nullptr,
+           double within = std::numeric_limits<double>::infinity()) noexcept;
 
   bool is_finite() const noexcept { return is_finite_; }
   double unit() const noexcept { return unit_; }

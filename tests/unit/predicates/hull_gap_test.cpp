@@ -222,6 +222,18 @@ TEST(HullGap, OfAVeryLongWayTheFirstBitIsFound) {
   EXPECT_NEAR(time_apart<3>({{p}, 1}, to, {{a, b, c}, 3}, 0.5, &at) * 1e300, 1.5, 1e-9);
 }
 
+/** The way passes a point at 28 radii, and ends where coordinates have some 2,000 bits more than that. */
+TEST(HullGap, OfAVeryLongWayBesideAPointItIsKnownThatItIsFree) {
+  const double tiny = 0x1p-992, radius = 0x1.4p-1000;
+  const double from[2] = {1.8426 * tiny, 1.767 * tiny}, to[2] = {0x1.e4p1023, 0x1.7ep996},
+               beside[2] = {1.0022 * tiny, 1.656 * tiny};
+  const double ahead[2] = {4 * tiny, 1.767 * tiny};
+  HullGap at;
+  EXPECT_EQ(time_apart<2>({{from}, 1}, to, {{beside}, 1}, radius, &at), 1);
+  EXPECT_TRUE(are_far_apart<2>({{from, to}, 2}, {{beside}, 1}, radius));
+  EXPECT_FALSE(are_far_apart<2>({{from, to}, 2}, {{ahead}, 1}, radius));
+}
+
 TEST(HullGap, OfWhatIsTooFarAwayForDoublesNothingIsKnown) {
   const double a[3] = {1e308, 0, 0}, b[3] = {-1e308, 0, 0};
   EXPECT_EQ(find_gap<3>({{a}, 1}, {{b}, 1}, 1, 1).bound, 0);
