@@ -48,8 +48,9 @@ fi
 plain_addresses=()
 if setarch "$(uname -m)" -R true 2>/dev/null; then plain_addresses=(setarch "$(uname -m)" -R); fi
 
-# Some steps copy folders while others run Python in them.
-export PYTHONDONTWRITEBYTECODE=1
+# Bytecode is kept apart: some steps copy folders while others run Python in them. Tests start many processes that read large packages.
+unset PYTHONDONTWRITEBYTECODE
+export PYTHONPYCACHEPREFIX=$PWD/build/bytecode
 
 # ASan keeps two frames for each allocation: GMP's frames can't be unwound, and storing them took most of the time. With one frame
 # no leak would be reported.
@@ -201,7 +202,7 @@ step_format() {
 }
 
 mkdir -p build
-rm -f build/{python,static}.made # left by an earlier run
+rm -rf build/{python,static}.made build/bytecode # left by an earlier run
 for step in "${steps[@]}"; do
   declare -F "step_$step" >/dev/null || {
     echo "no step '$step'"
