@@ -3,7 +3,7 @@
 #
 # FIGURE is 8 (a catheter in a vascular network), 9 (cells tested against its length), 10 (the lattices of the benchmark), 11 (time
 # against the size of the scene, with Bullet and GIMPACT), 12 (what edges cost on a surface of 12,000 vertices, and what eliminations
-# save), text (what the text states: figure 2, sections 4.2, 4.3, 4.4, 5.1 and 5.2) or all. Installs what is missing (Debian 12, as
+# save), text (what the text states: figure 2, sections 3.3, 4.2, 4.3, 4.4, 5.1 and 5.2) or all. Installs what is missing (Debian 12, as
 # root), builds, runs, and prints a table `ours | paper`, with a sentence for each figure; CSV, SVG and PNG in build/paper/.
 # MESH is the vessel of the text and of figures 8 and 9, in mm (.msh, .vtk, .vtu, also gzipped); without it
 # $DARTSWEEP_DATA/vessels/vascular_phantom.msh.gz if there is one, else a vessel that is made. Figure 12 takes

@@ -108,6 +108,7 @@ int run(const std::string& mesh, bool quick) {
   registration(&found);
   forecasts(&found);
   deformations(&found);
+  walls_that_push(&found);
   local_changes(&found);
   std::printf("%-10s %-72s %12s  %s\n", "section", "quantity", "ours", "paper");
   int faults = 0;

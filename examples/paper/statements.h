@@ -57,6 +57,8 @@ double quantile(std::vector<double> numbers, double part);
 
 // 5.1: orientation tests of a vertex or particle whose cell has not changed.
 void deformations(Statements* out);
+// 5.1: where walls push a rigid edge, and how often they bend one that is not.
+void walls_that_push(Statements* out);
 // 3.3: orientation tests that the cell aimed at saves a particle.
 void forecasts(Statements* out);
 // 5.2: particles that a change of the topology looks at, of many.

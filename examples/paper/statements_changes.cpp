@@ -83,6 +83,72 @@ void deformations(Statements* out) {
 
 namespace {
 
+// A body of one edge.
+dsw_body_id add_edge(dsw_scene* scene, const Point* ends, std::uint32_t flags) {
+  static constexpr std::uint32_t kEdge[2] = {0, 1};
+  dsw_body_desc desc;
+  dsw_body_desc_init(&desc, sizeof desc);
+  desc.flags = flags;
+  desc.positions = ends[0].data();
+  desc.vertex_count = 2;
+  desc.edges = kEdge;
+  desc.edge_count = 1;
+  dsw_body_id body;
+  physics::check(dsw_body_create(scene, &desc, &body), "adding an edge");
+  return body;
+}
+
+// Where the vertices of an edge lie after some points of the floor, z = 0, have risen by 0.3.
+template <class Rises>
+std::vector<Point> raise_floor(const Point* ends, std::uint32_t flags, dsw_deform_method method,
+                               dsw_wall_response response, Rises rises) {
+  Random random(3);
+  const Tetrahedra mesh(kSide, &random);
+  const physics::Scene scene = make_scene(mesh.environment.get(), DSW_FEATURE_DEFORMING);
+  const dsw_body_id body = add_edge(scene.get(), ends, flags);
+  std::vector<double> next = mesh.points;
+  for (std::size_t i = 0; i < next.size(); i += 3) {
+    next[i + 2] += next[i + 2] == 0 && rises(next[i], next[i + 1]) ? 0.3 : 0;
+  }
+  dsw_deform_options options;
+  dsw_deform_options_init(&options, sizeof options);
+  options.method = method;
+  options.response = response;
+  physics::check(dsw_environment_deform(mesh.environment.get(), next.data(), next.size() / 3, &options, nullptr),
+                 "raising a floor");
+  std::vector<Point> places(64);
+  std::size_t count = 0;
+  physics::check(dsw_body_get_positions(scene.get(), body, places[0].data(), places.size(), 0, nullptr, &count),
+                 "reading an edge");
+  places.resize(count);
+  return places;
+}
+
+}  // namespace
+
+// What a floor that rises makes of an edge: rigid and just under where the floor ends; over two bumps.
+void walls_that_push(Statements* out) {
+  constexpr double kLeft = 0.001;  // of the floor's way, after it has touched
+  const Point rigid[2] = {{2.3, 2.6, 0.3 - kLeft}, {4.6, 3.2, 0.3 - kLeft}},
+              soft[2] = {{1.4, 3.05, 0.1}, {6.6, 3.05, 0.1}};
+  for (const dsw_deform_method method : {DSW_DEFORM_END_STATE, DSW_DEFORM_SWEPT}) {
+    const std::string name = method == DSW_DEFORM_SWEPT ? "SWEPT" : "END_STATE";
+    const std::vector<Point> pushed =
+        raise_floor(rigid, DSW_BODY_RIGID, method, DSW_WALL_PUSH, [](double, double) { return true; });
+    const auto off = [&](std::size_t i) { return std::fabs((pushed[i][2] - rigid[i][2]) / kLeft - 1); };
+    out->push_back({"5.1", name + ": way of a rigid edge, off from what is left of the floor's, share",
+                    std::max(off(0), off(1)), "a correct position", 0.01});
+    out->push_back({"5.1", name + ": the same, tilt of the edge", std::fabs(pushed[0][2] - pushed[1][2]), "0", 1e-9});
+    const std::vector<Point> bent = raise_floor(soft, 0, method, DSW_WALL_INSERT, [](double x, double y) {
+      return std::fabs(y - 3) < 0.5 && (std::fabs(x - 3) < 0.5 || std::fabs(x - 5) < 0.5);
+    });
+    out->push_back(
+        {"5.1", name + ": vertices that an edge over two bumps gets", static_cast<double>(bent.size()) - 2, "2"});
+  }
+}
+
+namespace {
+
 // A prism of height 2 over a regular polygon of radius 1 round the origin, one cell with walls all round: a face stream.
 physics::Environment make_prism(int corners) {
   std::vector<double> points;
