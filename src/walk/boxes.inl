@@ -6,7 +6,6 @@ struct WarpedBoxExits {
   uint32_t one;              // a bit for each such box of which one facet is pierced outwards
   uint32_t several;          // a bit for each such box of which more facets are
   uint32_t looks[kAbreast];  // words of Looks, of these boxes; they say that at most one facet is pierced
-  uint32_t beyond[6];        // by facet, a bit for each box: q is outside of one of its triangles or both
 
   /** `from`: where the casts start. */
   void look(const double* points, const Abreast& boxes, const double* const (&from)[kAbreast]) noexcept;
@@ -33,8 +32,7 @@ DSW_NOINLINE inline void WarpedBoxExits::look(const double* points, const Abreas
     smallest = least(smallest, least(Row::absolute(quads.first), Row::absolute(quads.second)));
     const Row::Mask out1 = Row::greater(quads.first, bound), out2 = Row::greater(quads.second, bound);
     const Row::Mask outside = Row::either(out1, out2);
-    beyond[f] = Row::bits(outside);
-    if (beyond[f] == 0) continue;  // a wrong guess costs less than line tests that nobody needs
+    if (Row::bits(outside) == 0) continue;  // a wrong guess costs less than line tests that nobody needs
     const Piercings<Row> lines = pierce(quads, out1, out2, back, line_bound);
     exits.add(Look::of_box_facet(f, 0), Row::without(lines.pierced, lines.second));
     exits.add(Look::of_box_facet(f, 1), Row::both(lines.pierced, lines.second));

@@ -161,10 +161,11 @@ class Walkers {
     open_count_ += looks_[i].may_leave() ? 1 : 0;
   }
 
-  /** Looks at some casts together, if there are enough and the cells of all are of one form that can be. */
+  /** Looks at some casts together, if there are enough and the cells of all are of one form that can be. Counted casts
+   * are looked at one by one: they make the same tests, in half the code. */
   template <bool First>
   DSW_HOT bool look_abreast(uint32_t first, uint32_t end) noexcept {
-    if (D != 3) return false;
+    if (D != 3 || Tally::kCounts) return false;
     const uint32_t word = map_.record(results_[active_[first]].cell)[0];
     const Form form = form_of(word);
     const bool flat = is_convex(word, map_.convex_bit) || in_cuboid(active_[first]);
@@ -204,12 +205,6 @@ class Walkers {
     const uint32_t lanes = (1u << (end - first)) - 1, one = sides.one & lanes, several = sides.several & lanes;
     DSW_UNROLL(8)
     for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(sides.looks[j]);
-    if (Tally::kCounts) {
-      for (uint32_t j = first; j < end; ++j) {
-        const Look& look = looks_[active_[j]];
-        if (look.is_decided()) tally_.tests(look.facet_count() - (First ? 0 : 1));
-      }
-    }
     const LaneBytes casts(active_ + first);
     casts.store(open_ + open_count_, several);
     casts.store(active_ + kept_, one);
@@ -228,10 +223,6 @@ class Walkers {
     const LaneBytes casts(active_ + first);
     DSW_UNROLL(8)
     for (uint32_t j = 0; j < kAbreast; ++j) looks_[active_[first + j]] = Look::of_word(exits.looks[j]);
-    if (Tally::kCounts) {
-      tally_.tests(12 * count_lanes(sure));
-      for (const uint32_t boxes : exits.beyond) tally_.tests(4 * count_lanes(boxes & sure));
-    }
     uint32_t been = 0;  // casts that may have been in their cell before: `decide` compares times
     for (uint32_t j = 0; !First && j < kAbreast; ++j) {
       been |= (flights_[active_[first + j]].may_have_been_here ? 1u : 0u) << j;
@@ -282,7 +273,7 @@ class Walkers {
 
   /** Adds the ridge that a cast passes. False unless just two facets have the target outside and share a ridge. */
   DSW_HOT bool add_ridge(uint32_t i, uint32_t lane, RidgesAbreast& ridges) const noexcept {
-    if constexpr (D == 3) {
+    if constexpr (D == 3 && !Tally::kCounts) {
       const Look look = looks_[i];
       if (look.kind() != LookKind::kPlanes || look.facets() >= kNotDecided) return false;
       const Ridge shared = kRidgesBySet[look.facet_count() - 4].of[look.facets()];
@@ -310,7 +301,6 @@ class Walkers {
         decide<First>(i);
         continue;
       }
-      tally_.test();
       const uint32_t both[2] = {lowest_bit(facets), highest_bit(facets)};
       active_[kept_++] = static_cast<uint8_t>(i);
       leave_flat<First>(i, both[ridges.negative >> lane & 1u]);
