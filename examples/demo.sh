@@ -64,10 +64,7 @@ quietly "configuring" \
   -DDSW_QUICK_BUILD="${DSW_QUICK_BUILD:-ON}" -DDSW_BUILD_TESTS=OFF -DDSW_BUILD_EXAMPLES=ON
 quietly "building" cmake --build "$tree" --target dartsweep_insertion example_demo example_plane example_replay &
 build=$!
-lists=("$source/requirements.txt" "$insertion/requirements.txt")
-node=$(node --version 2> /dev/null || true) node=${node#v}
-command -v npm > /dev/null && [ "${node%%.*}" -ge 18 ] 2> /dev/null || lists+=("$insertion/page/requirements.txt") # as esbuild needs
-make_venv "$venv" python3 "${lists[@]}"
+make_venv "$venv" python3 "$source/requirements.txt" "$insertion/requirements.txt" "$insertion/page/requirements.txt"
 wait $build || exit 1
 
 rm -rf "$out"/*.png "$out"/*.svg "$out"/*.vtu "$out"/*.csv "$out"/*.html "$out"/summary.txt "$out/insertion" "$out/haptic.txt"

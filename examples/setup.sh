@@ -52,7 +52,7 @@ folder = sysconfig.get_config_var("WHEEL_PKG_DIR") or os.path.join(os.path.dirna
 print(glob.glob(os.path.join(folder, "pip-*.whl"))[0] + "/pip")'
 }
 # make_venv FOLDER PYTHON LIST...: Python modules, pinned, in a folder of their own; again only when the lists have changed.
-# Modules are compiled when they are first used, also where the environment asks Python to compile them each time.
+# Modules are compiled when they are first used. Whatever the environment asks, Python stores them compiled from here on, in all of a script.
 make_venv() {
   local venv=$1 python=$2
   unset PYTHONDONTWRITEBYTECODE

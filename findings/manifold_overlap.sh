@@ -1,9 +1,9 @@
 #!/bin/sh
 # Manifold (manifold3d) and one mesh of two cubes that overlap in an eighth, as CAD and Blender export parts in one file.
-# One would guess that a union with anything, or with itself, makes one solid of 1.875 of it: the library is known for booleans that do not fail.
+# One would guess that a union with anything, or with itself, makes one solid of the volume 1.875: the library is known for booleans that do not fail.
 # What happens: the mesh has the volume 2 and the status NoError. A union with a cube far away leaves the overlap counted twice (3 in place of 2.875), and
 # the union with itself takes it out twice (1.75): it is a hole there. decompose() and the union of its two parts give 1.875.
-# Who meets it: whoever joins or cuts models of several shells by trimesh, OpenSCAD's successors or this library, and prints or weighs the result.
+# Who meets it: whoever joins or cuts models of several shells by trimesh, OpenSCAD or this library, and prints or weighs the result.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -5,6 +5,7 @@
 # default is half of the diagonal, and all that tells of it is `n_samples`, which is 4 and 0 of 8 vertices. No warning is given. A percentage above 100 is
 # refused, but maxdist=PureValue(100) gives 1.1 and 3.
 # Who meets it: whoever checks a registration, a simplification or a reconstruction by this number: the worse the fit, the smaller it is.
+# Needs libgl1.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,8 +1,9 @@
 #!/bin/sh
 # VTK, PyVista, and a polyhedron in the form of an L: five unit cubes, as a cell of one mesh.
-# One would guess that its volume is 5, that points in the notch are in no cell, and that half a cut or a slice has half of the volume or the area 5.
+# One would guess that its volume is 5, that points in the notch are in no cell, that the part with x < 1.5 has the
+# volume 3.5, and a slice the area 5.
 # What happens: the volume is 7, that of the convex hull, and find_containing_cell and sampling find the cell in the notch, too: 44 % of random points in the
-# box of the cell are wrong. A slice has the area 9, and the part with x < 1.5 the volume 4 in place of 3.5. No warning is given. IsInside of the
+# box of the cell are wrong. A slice has the area 9, and the part with x < 1.5 the volume 4. No warning is given. IsInside of the
 # cell, and the surface of the mesh, are right.
 # Who meets it: whoever has cells that are not convex, such as those of OpenFOAM and Fluent at snapped corners, of cut cells and of coarsening, and sums
 # volumes, probes or seeds particles in VTK, PyVista or ParaView.

@@ -12,8 +12,9 @@ void check_targets(const Body<D>& body, PointArray targets, const MoveOrder& ord
   const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
-    if (!is_finite<D>(targets[first + v]) && body.has_vertex(v))
+    if (body.has_vertex(v) && !is_finite<D>(targets[first + v])) {
       fail_non_finite(targets, first + v, D, {"targets", true});
+    }
   }
 }
 
@@ -40,12 +41,15 @@ Array<BodyRecord<D>*> check_bodies(Scene<D>& scene, const dsw_body_id* bodies, s
 template <int D>
 PointArray check_all_targets(const Array<BodyRecord<D>*>& records, const double* targets, size_t count,
                              size_t stride_bytes) {
-  size_t needed = 0;
-  for (const BodyRecord<D>* each : records) needed += each->body.vertices.size();
+  size_t needed = 0, alive = 0;
+  for (const BodyRecord<D>* each : records) {
+    needed += each->body.vertices.size();
+    alive += each->body.vertex_slots.alive_count();
+  }
   check_target_count(count, needed);
   const PointArray points = to_points(D, targets, count, stride_bytes, "targets");
-  if (find_non_finite(points, count, D) == count) return points;
-  size_t first = 0;  // a slot without a vertex may have any target
+  if (alive == needed && find_non_finite(points, count, D) == count) return points;
+  size_t first = 0;
   for (const BodyRecord<D>* each : records) {
     check_targets(each->body, points, {}, first);
     first += each->body.vertices.size();

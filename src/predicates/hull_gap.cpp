@@ -169,20 +169,20 @@ HullPair<D>::HullPair(const ConvexHull& a, const ConvexHull& b, const double* re
     : hull_a_(a), hull_b_(b), rest_(rest) {
   const double* const origin = b.points[0];
   double size = 0;
-  const auto read = [&](const ConvexHull& hull, const double* beside, Vec* out) {
+  const auto read = [&](const ConvexHull& hull, const double* beside, double most, Vec* out) {
     for (uint32_t i = 0; i < hull.count; ++i) {
       out[i] = difference<D>(hull.points[i], origin);
       if (beside != nullptr && i + 1 == hull.count) out[i] += to_vec<D>(beside);
       const double far = largest(out[i]);
-      if (far > within && std::isfinite(far)) {
-        const int shift = std::ilogb(far) - std::ilogb(within);
+      if (far > most && std::isfinite(far)) {
+        const int shift = std::ilogb(far) - std::ilogb(most);
         for (int k = 0; k < D; ++k) out[i][k] = std::ldexp(out[i][k], -shift);
       }
       size = std::max(size, largest(out[i]));
     }
   };
-  read(a, rest, a_);
-  read(b, nullptr, b_);
+  read(a, rest, within, a_);
+  read(b, nullptr, std::numeric_limits<double>::infinity(), b_);
   is_finite_ = std::isfinite(size);
   if (!is_finite_ || size == 0) return;
   int exponent;

@@ -15,7 +15,7 @@ struct ConvexHull {
   uint32_t count = 0;
 };
 
-/** How far two hulls are apart. */
+/** How far two hulls are apart. The bound can be of a second search (HullPair's `within`): the distance is not less than it. */
 struct HullGap {
   double bound = 0;     // not more than the distance; 0 if nothing is certain
   double distance = 0;  // rounded, between the points below

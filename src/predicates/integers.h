@@ -142,7 +142,7 @@ struct Small {
   using Det = Int256;               // below 2^192
 
   // low is the lowest set bit of the whole axis, so the result is an integer of the digits of x, and no product is rounded: the
-  // first one lies between x and the result. Two products, as their factor need not be a double.
+  // first one lies between x and the result. There are two products because 2^up may be too large for a double.
   static Coordinate coordinate(double x, int low) noexcept {
     const int up = 1075 - low, half = up / 2;
     const auto power_of_two = [](int exponent) { return of_bits(static_cast<std::uint64_t>(1023 + exponent) << 52); };

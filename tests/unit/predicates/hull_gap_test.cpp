@@ -222,7 +222,7 @@ TEST(HullGap, OfAVeryLongWayTheFirstBitIsFound) {
   EXPECT_NEAR(time_apart<3>({{p}, 1}, to, {{a, b, c}, 3}, 0.5, &at) * 1e300, 1.5, 1e-9);
 }
 
-/** The way passes a point at 28 radii, and ends where coordinates have some 2,000 bits more than that. */
+/** The way stays 174 radii from a point, and ends where coordinates have some 2,000 bits more than that. */
 TEST(HullGap, OfAVeryLongWayBesideAPointItIsKnownThatItIsFree) {
   const double tiny = 0x1p-992, radius = 0x1.4p-1000;
   const double from[2] = {1.8426 * tiny, 1.767 * tiny}, to[2] = {0x1.e4p1023, 0x1.7ep996},
