@@ -11,6 +11,10 @@ import dartsweep as ds
 from volumes import CUBE, PRISM, volume_of
 
 POINTS = [*PRISM, (0, 0, -1)]  # a wedge above a tetrahedron
+_LOW, _TOP, _UP = ((0, 1), (1, 2), (2, 0)), ((3, 4), (4, 5), (5, 3)), ((0, 3), (1, 4), (2, 5))  # sides of wedges
+_LOWER, _UPPER, _UPWARDS = ((0, 1), (1, 2), (2, 3), (3, 0)), ((4, 5), (5, 6), (6, 7), (7, 4)), ((0, 4), (1, 5), (2, 6), (3, 7))  # of hexahedra
+_AROUND, _BELOW, _ABOVE = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)), ((0, 1, 2, 3),), ((4, 5, 6, 7),)
+_CENTRE = (tuple(range(8)),)
 HIGH = [*CUBE, *((CUBE[a] + CUBE[b]) / 2 for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)))]
 
 
@@ -83,6 +87,13 @@ def test_meshes_of_elmer_keep_bodies_and_boundaries(tmp_path: pathlib.Path, comm
         ds.read(tmp_path)
 
 
+def test_headings_of_elmer_say_what_has_a_name(tmp_path: pathlib.Path) -> None:
+    names = "! names for bodies\n$ ghost = 3\n$ old = 1\n$ bone = 1\n$ tissue = 2\n! names for boundaries\n$ top = 1\n"
+    elmer(tmp_path, POINTS, "1 1 706 1 2 3 4 5 6\n2 2 504 1 3 2 7\n", "1 1 1 0 303 4 5 6\n2 3 2 0 303 1 3 7\n", names)
+    with ds.read(tmp_path) as environment:
+        assert environment.region_names == {"ghost": 3, "bone": 1, "tissue": 2} and sizes(environment) == {"top": 1, "3": 1}
+
+
 def test_quadratic_cells_of_elmer(tmp_path: pathlib.Path) -> None:
     order = [*range(1, 13), 17, 18, 19, 20, 13, 14, 15, 16]  # the sides upwards come before those on top
     elmer(tmp_path, HIGH, "1 1 820 " + " ".join(map(str, order)) + "\n", "", "")
@@ -108,3 +119,42 @@ def test_meshes_of_gid_keep_names_or_materials(tmp_path: pathlib.Path) -> None:
     (tmp_path / "two.msh").write_text(gid(("", ""), ("", "")).replace("Prism", "Sphere"))
     with pytest.raises(ds.MeshError, match="elements have the type 'Sphere', with 6 nodes"):
         ds.read(tmp_path / "two.msh")
+    text = gid(('"bone #1"', '"soft"'), ("", "")).replace("end coordinates", "end coordinates # of it")
+    (tmp_path / "two.msh").write_text(text)
+    with ds.read(tmp_path / "two.msh") as environment:
+        assert environment.region_names == {"bone #1": 1, "soft": 2}
+
+
+@pytest.mark.parametrize(
+    ("program", "kind", "middles"),
+    [
+        ("FEBio", "penta15", [*_LOW, *_TOP, *_UP]),  # its shape functions
+        ("FEBio", "hex27", [*_LOWER, *_UPPER, *_UPWARDS, *_AROUND, *_BELOW, *_ABOVE, *_CENTRE]),
+        ("Elmer", "715", [*_LOW, *_TOP, *_UP]),  # its elements.def
+        ("Elmer", "715", [*_LOW, *_UP, *_TOP]),  # as ElmerGrid converts those of Gmsh
+        ("Elmer", "827", [*_LOWER, *_UPWARDS, *_UPPER, *_AROUND, *_BELOW, *_ABOVE, *_CENTRE]),
+        ("GiD", "Prism", [*_LOW, *_UP, *_TOP]),  # its reference, and Kratos's geometries, which have the same order
+        ("GiD", "Hexahedra", [*_LOWER, *_UPWARDS, *_UPPER]),
+        ("GiD", "Hexahedra", [*_LOWER, *_UPWARDS, *_UPPER, *_BELOW, *_AROUND, *_ABOVE, *_CENTRE]),
+    ],
+)
+def test_orders_of_quadratic_nodes(tmp_path: pathlib.Path, program: str, kind: str, middles: Any) -> None:
+    """Each node lies where the format has it, in a cell that is longer in one direction than in others and leans, and every part is valid."""
+    corners = (PRISM if max(map(max, middles)) == 5 else CUBE) @ [[1, 0, 0], [0.25, 2, 0], [0.5, 0.25, 3]]
+    nodes = [*corners, *(corners[list(members)].mean(axis=0) for members in middles)]
+    numbers = range(1, len(nodes) + 1)
+    row = " ".join(map(str, numbers))
+    if program == "FEBio":
+        path = tmp_path / "cell.feb"
+        part = f'<Elements type="{kind}" name="one"><elem id="1">{",".join(str(number + 10) for number in numbers)}</elem></Elements>'
+        path.write_text(febio("Mesh", nodes, part, ""))
+    elif program == "Elmer":
+        path = tmp_path / "mesh.header"
+        elmer(tmp_path, nodes, f"1 1 {kind} {row}\n", "", "")
+    else:
+        path = tmp_path / "cell.msh"
+        places = "".join(f"{number} {x} {y} {z}\n" for number, (x, y, z) in zip(numbers, nodes))
+        path.write_text(f"MESH dimension 3 ElemType {kind} Nnode {len(nodes)}\nCoordinates\n{places}End Coordinates\nElements\n1 {row}\nEnd Elements\n")
+    with ds.read(path, quadratic="split") as environment:
+        assert environment.info.volume_count == 8 and environment.notes == ()
+        assert volume_of(environment) == pytest.approx(3 if len(corners) == 6 else 6)

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import rows
 from .error import MeshError
+from .quadratics import sides_upwards_first
 from .ragged import groups_by_number
 from .raw import Raw
 
@@ -16,11 +17,8 @@ _TYPES = {
     **{101: 1, 202: 3, 203: 21, 303: 5, 306: 22, 404: 9, 408: 23, 409: 28, 504: 10, 510: 24},
     **{605: 14, 613: 27, 706: 13, 715: 26, 808: 12, 820: 25, 827: 29},
 }
-_ORDER = {  # VTK's: the sides upwards come last
-    26: [*range(9), 12, 13, 14, 9, 10, 11],
-    25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15],
-    29: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15, 23, 21, 20, 22, 24, 25, 26],
-}
+_UPWARDS_FIRST = sides_upwards_first(23, 21, 20, 22, 24, 25, 26)
+_ORDER = {kind: _UPWARDS_FIRST[kind] for kind in (25, 29)}
 _WAY_ON = "ElmerGrid can write the mesh anew, also as VTK's"
 
 
@@ -42,6 +40,7 @@ def read(path: str, source: str, format: str) -> Raw:
         if isinstance(error, MeshError):
             raise
         raise MeshError(source, f"it is not as Elmer writes it ({error})", _WAY_ON) from error
+    _order_wedges(raw)
     raw.regions = np.array([row[0] for row in cells + faces], np.int64)
     _add_names(raw, len(cells), folder)
     return raw
@@ -62,6 +61,16 @@ def _cells(known: list[tuple[int, list[int]]], source: str) -> tuple[list[int], 
     return kinds, made
 
 
+def _order_wedges(raw: Raw) -> None:
+    """Elmer's definition of wedges of 15 nodes has VTK's order. Those that ElmerGrid takes from Gmsh have the nodes of sides upwards first, as
+    the places of these nodes show."""
+    places = raw.cells.offsets[:-1][raw.cells.types == 26][:, None] + np.arange(15)
+    rows = raw.cells.flat[places]
+    low, high, next_high, nodes = (raw.points[rows[:, columns]] for columns in ([0, 1, 2], [3, 4, 5], [4, 5, 3], [9, 10, 11]))
+    away = [np.linalg.norm(nodes - 0.5 * (high + other), axis=2).sum(axis=1) for other in (low, next_high)]
+    raw.cells.flat[places] = np.where((away[0] < away[1])[:, None], rows[:, _UPWARDS_FIRST[26]], rows)
+
+
 def _add_names(raw: Raw, count: int, folder: str) -> None:
     """Names of bodies and boundaries; a boundary without a name is called by its number."""
     bodies, boundaries = _names(folder, set(raw.regions[:count].tolist()))
@@ -80,14 +89,15 @@ def _names(folder: str, bodies: set[int]) -> tuple[dict[int, str], dict[int, str
     """ElmerGrid writes a comment above the names of bodies and one above those of boundaries. Netgen writes none: bodies come first, each once."""
     path = os.path.join(folder, "mesh.names")
     found: tuple[dict[int, str], dict[int, str]] = {}, {}
-    at = 0
+    at, has_headings = 0, False
     for line in _lines(path) if os.path.exists(path) else []:
         if line.lstrip().startswith("!"):
-            at = 1 if "boundar" in line.lower() else 0 if "bod" in line.lower() else at
+            if heading := re.search("boundar|bod", line.lower()):
+                at, has_headings = int(heading[0] == "boundar"), True
             continue
         row = re.match(r"\s*\$\s*(.+?)\s*=\s*(\d+)\s*$", line)
         if row is not None:
             number = int(row[2])
-            at = 1 if at == 0 and (number not in bodies or number in found[0]) else at
+            at = 1 if not has_headings and (number not in bodies or number in found[0]) else at
             found[at][number] = row[1]
     return found

@@ -12,6 +12,7 @@ from .error import MeshError
 from .linear import Cells
 from .mesh import Indices
 from .netcdf import Variables
+from .quadratics import sides_upwards_first
 from .ragged import offsets_of
 from .raw import Raw
 
@@ -28,12 +29,7 @@ _TYPES = {  # of the first three letters: for each number of nodes VTK's type
 }
 _TYPES["SHE"] = {**_TYPES["TRI"], **_TYPES["QUA"]}
 _USED = {5: 3, 22: 6, 34: 7, 9: 4, 23: 8, 28: 9, 10: 4, 24: 10, 14: 5, 27: 13, 37: 14, 13: 6, 31: 12, 26: 15, 32: 18, 12: 8, 25: 20, 29: 27}
-_ORDER = {  # VTK's order of nodes: the sides upwards come last, then the middles of faces
-    25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15],
-    26: [*range(9), 12, 13, 14, 9, 10, 11],
-}
-_ORDER[29] = [*_ORDER[25], 23, 24, 25, 26, 21, 22, 20]
-_ORDER[32] = [*_ORDER[26], 15, 16, 17]
+_ORDER = sides_upwards_first(23, 24, 25, 26, 21, 22, 20)
 _SIDES: dict[int, list[tuple[int, ...]]] = {  # of the linear type: corners of the sides 1, 2, ...
     5: [(0, 1), (1, 2), (2, 0)],
     9: [(0, 1), (1, 2), (2, 3), (3, 0)],

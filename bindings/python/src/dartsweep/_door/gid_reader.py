@@ -8,6 +8,7 @@ import numpy as np
 
 from . import linear, rows
 from .error import MeshError
+from .quadratics import sides_upwards_first
 from .raw import Raw
 
 _TYPES = {  # of the name in small letters and the number of nodes
@@ -15,19 +16,16 @@ _TYPES = {  # of the name in small letters and the number of nodes
     **{("quadrilateral", 4): 9, ("quadrilateral", 8): 23, ("quadrilateral", 9): 28, ("tetrahedra", 4): 10, ("tetrahedra", 10): 24},
     **{("hexahedra", 8): 12, ("hexahedra", 20): 25, ("hexahedra", 27): 29, ("prism", 6): 13, ("prism", 15): 26, ("pyramid", 5): 14, ("pyramid", 13): 27},
 }
-_ORDER = {  # VTK's: the sides upwards come last
-    25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15],
-    26: [*range(9), 12, 13, 14, 9, 10, 11],
-    29: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15, 24, 22, 21, 23, 20, 25, 26],
-}
+_ORDER = sides_upwards_first(24, 22, 21, 23, 20, 25, 26)
 _HEAD = re.compile(r"""(?i)MESH\s*(?:"([^"]*)"|(\S+)(?=\s+DIMENSION))?.*?DIMENSION\s*=?\s*(\d).*?ELEMTYPE\s*=?\s*(\w+)\s+NNODE\s*=?\s*(\d+)""")
+_COMMENT = re.compile(r'("[^"]*")|#.*')  # or a name in quotes, which is kept
 _WAY_ON = "GiD can export the mesh, such as for Abaqus or Nastran"
 
 
 def read(path: str, source: str, format: str) -> Raw:
     """The cells of a file. Meshes with names are groups; where elements have materials, these are regions."""
     with open(path, encoding="latin-1") as file:
-        lines = [line for line in (line.partition("#")[0].strip() for line in file) if line]
+        lines = [line for line in (_COMMENT.sub(r"\1", line).strip() for line in file) if line]
     try:
         return _Reading(lines, source).raw()
     except (ValueError, IndexError) as error:

@@ -10,17 +10,14 @@ import numpy as np
 from . import linear
 from .error import MeshError
 from .mesh import Indices
+from .quadratics import sides_upwards_first
 from .raw import Raw
 
 _TYPES = {  # of the dimension of cells and their number of nodes: VTK's type
     **{(1, 2): 3, (1, 3): 21, (2, 3): 5, (2, 4): 9, (2, 6): 22, (2, 8): 23, (2, 9): 28},
     **{(3, 4): 10, (3, 5): 14, (3, 6): 13, (3, 8): 12, (3, 10): 24, (3, 13): 27, (3, 15): 26, (3, 20): 25, (3, 27): 29, (0, 1): 1},
 }
-_ORDER = {  # VTK's order of nodes: the sides upwards come last
-    25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15],
-    26: [*range(9), 12, 13, 14, 9, 10, 11],
-    29: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15, 24, 22, 21, 23, 20, 25, 26],
-}
+_ORDER = sides_upwards_first(24, 22, 21, 23, 20, 25, 26)
 _THIN = re.compile(r"Shell|Membrane|Isogeometric|Surface|Plate", re.IGNORECASE)
 _LINES = re.compile(r"Truss|Beam|Cable|Line|Spring|Edge|Wall|Damper", re.IGNORECASE)
 _WAY_ON = "Kratos can write it for GiD or as VTK's"

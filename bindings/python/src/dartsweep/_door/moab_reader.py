@@ -10,6 +10,7 @@ import numpy as np
 from .error import MeshError
 from . import linear
 from .mesh import Indices
+from .quadratics import sides_upwards_first
 from .ragged import positions
 from .raw import Raw
 
@@ -18,9 +19,7 @@ _TYPES = {  # names of folders: VTK's type
     **{"Tet4": 10, "Tet10": 24, "Pyr5": 14, "Pyramid5": 14, "Pyr13": 27, "Prism6": 13, "Pri6": 13, "Prism15": 26, "Prism18": 32},
     **{"Hex8": 12, "Hex20": 25, "Hex27": 29},
 }
-_ORDER = {25: [*range(12), 16, 17, 18, 19, 12, 13, 14, 15], 26: [*range(9), 12, 13, 14, 9, 10, 11]}  # sides upwards come before the upper ones
-_ORDER[29] = [*_ORDER[25], 23, 21, 20, 22, 24, 25, 26]
-_ORDER[32] = [*_ORDER[26], 15, 16, 17]
+_ORDER = sides_upwards_first(23, 21, 20, 22, 24, 25, 26)
 _POLYGON = 7
 _IS_RANGES = 8
 _WAY_ON = "MOAB's mbconvert can write it as VTK's or as Exodus"

@@ -73,6 +73,14 @@ _EDGES = {  # between which corners the first nodes after the corners lie
     **{kind: [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (1, 4), (2, 4), (3, 4)] for kind in (27, 37)},
 }
 
+
+def sides_upwards_first(*middles: int) -> dict[int, list[int]]:
+    """VTK's order of nodes in formats where nodes of sides upwards come before those of upper sides, by VTK's types. VTK has them behind.
+    middles: where the middles of faces and of the cell stand among 27 nodes of a hexahedron."""
+    hexahedron, wedge = [*range(12), 16, 17, 18, 19, 12, 13, 14, 15], [*range(9), 12, 13, 14, 9, 10, 11]
+    return {25: hexahedron, 26: wedge, 29: [*hexahedron, *middles], 32: [*wedge, 15, 16, 17]}
+
+
 _Found = list[tuple[int, Indices, Indices]]
 
 
