@@ -55,6 +55,7 @@ def test_models_of_febio_in_several_files_and_of_unknown_elements(tmp_path: path
     with ds.read(tmp_path / "shells.feb") as environment:
         assert environment.dimension == 2 and "surface 'top' is one of shells" in environment.notes[-1]
     for parts, reason in (
+        (part.format("tet4", "11,12,13,15").replace(' type="tet4"', ""), "elements have the type 'elem'"),
         (part.format("quark4", "11"), "elements have the type 'quark4'"),
         (part.format("tet4", "11,12,13"), "element 1 has 3 nodes, where its type has 4"),
         (part.format("tet4", "11,12,13,99"), "node 99 is not there"),
@@ -63,6 +64,37 @@ def test_models_of_febio_in_several_files_and_of_unknown_elements(tmp_path: path
         (tmp_path / "mesh.feb").write_text(febio("Mesh", HIGH, parts, ""))
         with pytest.raises(ds.MeshError, match=reason):
             ds.read(tmp_path / "mesh.feb")
+
+
+def test_names_and_ranges_in_models_of_febio(tmp_path: pathlib.Path) -> None:
+    tetrahedra = "".join(f'<elem id="{i}">{a},{b},{c},{d}</elem>' for i, (a, b, c, d) in enumerate([(11, 12, 13, 14), (12, 15, 13, 14), (13, 15, 16, 14)], 1))
+    parts = f'<Elements type="tet5" name="left bone">{tetrahedra.replace("</elem>", ",99</elem>")}</Elements>'
+    parts += '<Elements type="tet4" name="cartilage"><elem id="7"> 11, 13, 12, 17 </elem></Elements>'
+    more = '<PartList name="hard">left bone,</PartList><PartList name="all"> left bone , cartilage </PartList>'
+    for name, members in {"range": "1:3", "step": "1:3:2, 7", "blanks": "1 2:3", "joined": "1", "cartilage": "1", "all": "2", "same": "7"}.items():
+        more += f'<ElementSet name="{name}">{members}</ElementSet>'
+    more += '<ElementSet name="joined">2</ElementSet><PartList name="same">cartilage</PartList>'
+    more += '<Surface name="all"><tri3 id="1">14,15,16</tri3></Surface><Surface name="all"><tri3 id="1">11,12,14</tri3></Surface>'
+    (tmp_path / "names.feb").write_text(febio("Mesh", POINTS, parts, more))
+    with ds.read(tmp_path / "names.feb") as environment:
+        regions = [environment.region(environment.volume_id(i)) for i in range(4)]
+        groups = {name: [i for i in range(4) if regions[i] in labels] for name, labels in environment.region_groups.items()}
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6)
+        assert groups["hard"] == groups["left bone"] == groups["range"] == groups["blanks"] == [0, 1, 2]
+        assert groups["step"] == [0, 2, 3] and groups["joined"] == [0, 1] and groups["cartilage"] == groups["same"] == [3]
+        assert groups["cartilage (element set)"] == [0] and groups["all"] == [1] and groups["all (part set)"] == [0, 1, 2, 3]
+        assert sizes(environment) == {"all": 2} and "same (part set)" not in groups
+    (tmp_path / "names.feb").write_text(febio("Mesh", POINTS, parts, '<ElementSet name="far">1:999999999999</ElementSet>'))
+    with pytest.raises(ds.MeshError, match="element 4 is not there"):
+        ds.read(tmp_path / "names.feb")
+
+
+def test_models_of_febio_of_version_1(tmp_path: pathlib.Path) -> None:
+    elements = '<penta6 id="1" mat="2">11,12,13,14,15,16</penta6><tet4 id="2" mat="1">11,13,12,17</tet4>'
+    (tmp_path / "old.feb").write_text(febio("Geometry", POINTS, f"<Elements>{elements}</Elements>", "").replace("4.0", "1.2"))
+    with ds.read(tmp_path / "old.feb") as environment:
+        assert volume_of(environment) == pytest.approx(0.5 + 1 / 6) and environment.notes == ()
+        assert environment.region_names == {"2": 1, "1": 2} and environment.regions() == [1, 2]
 
 
 def elmer(folder: pathlib.Path, nodes: Any, elements: str, boundary: str, names: str) -> None:

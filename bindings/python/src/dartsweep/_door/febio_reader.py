@@ -1,19 +1,21 @@
-"""Models of FEBio (.feb) of the versions 2 to 4: parts are regions; surfaces, sets and lists of parts keep their names."""
+"""Models of FEBio (.feb) of the versions 1 to 4: parts are regions; surfaces, sets and lists of parts keep their names."""
 
 from __future__ import annotations
 
 import os
 import xml.etree.ElementTree
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from . import linear, rows
 from .error import MeshError
-from .raw import Raw
+from .raw import Raw, free_name
 
 _TYPES = {
-    **{"tet4": 10, "tet10": 24, "tet15": 24, "tet20": 10, "hex8": 12, "hex20": 25, "hex27": 29, "penta6": 13, "penta15": 26, "pyra5": 14, "pyra13": 27},
+    **{"tet4": 10, "tet5": 10, "tet10": 24, "tet15": 24, "tet20": 10, "hex8": 12, "hex20": 25, "hex27": 29},
+    **{"penta6": 13, "penta15": 26, "pyra5": 14, "pyra13": 27},
     **{"tri3": 5, "tri6": 22, "tri7": 34, "tri10": 5, "quad4": 9, "quad8": 23, "quad9": 28, "line2": 3, "line3": 21, "truss2": 3},
     **{"q4": 9, "q4ans": 9, "q4eas": 9, "t3": 5, "t6": 22, "q8": 23},
 }  # by the first letters of a type, which may go on in a rule of integration, such as TET10G8
@@ -70,14 +72,15 @@ class _Reading:
         self.surfaces.setdefault(surface.attrib["name"], []).extend(range(start, len(self.cells)))
 
     def _add_part(self, elements: Any) -> None:
-        name = elements.get("name") or elements.get("elset") or elements.get("mat") or str(len(self.parts) + 1)
-        kind = _type_of(elements.get("type", ""), self.source)
-        start = len(self.cells)
+        """Elements of one part and type; in version 1 each element says both, by its tag and by its material."""
+        own = elements.get("name") or elements.get("elset") or elements.get("mat")
+        unnamed = str(len(self.parts) + 1)
         for element in elements:
+            kind = _type_of(elements.get("type") or element.tag, self.source)
+            self.parts.setdefault(own or element.get("mat") or unnamed, []).append(len(self.cells))
+            self.kinds.append(kind)
             self.cells.append(_nodes_of(element, kind, self.source))
             self.ids.append(int(element.attrib["id"]))
-        self.kinds += [kind] * (len(self.cells) - start)
-        self.parts.setdefault(name, []).extend(range(start, len(self.cells)))
 
     def raw(self) -> Raw:
         points = rows.Numbers(self.nodes, "node")
@@ -86,20 +89,34 @@ class _Reading:
         raw.regions = np.zeros(len(self.kinds), np.int64)
         for label, (name, members) in enumerate(self.parts.items(), 1):
             raw.regions[members] = label
-            raw.groups[name] = np.array(members, np.int64)
+            _add_group(raw, name, "part", members)
             if np.any(linear.DIMENSION[raw.cells.types[members]] == linear.DIMENSION[raw.cells.types].max(initial=0)):
                 raw.region_names[name] = label
         place = rows.Numbers(self.ids, "element")
+        sets, lists = dict[str, list[int]](), dict[str, list[int]]()
         for elements in self.mesh.findall("ElementSet"):
-            numbers = [int(element.attrib["id"]) for element in elements] if len(elements) else [int(word) for word in _words(elements)]
-            raw.groups[elements.attrib["name"]] = np.unique(np.array(place.of(numbers), np.int64))
+            sets.setdefault(elements.attrib["name"], []).extend(place.of(_numbers_of(elements)))
         for parts in self.mesh.findall("PartList"):
-            raw.groups[parts.attrib["name"]] = np.array(sorted(i for name in _words(parts) for i in self.parts[name]), np.int64)
-        for name, members in self.surfaces.items():
-            raw.groups[name] = np.array(members, np.int64)
+            names = [name for word in (parts.text or "").split(",") if (name := word.strip())]
+            lists.setdefault(parts.attrib["name"], []).extend(i for name in names for i in self.parts[name])
+        for kind, groups in (("element", sets), ("part", lists), ("surface", self.surfaces)):
+            for name, members in groups.items():
+                _add_group(raw, name, kind, members)
         if not self.is_solid:
             raw.notes += [f"the surface '{surface.attrib['name']}' is one of shells, and was left out" for surface in self.mesh.findall("Surface")]
         return raw
+
+
+def _add_group(raw: Raw, name: str, kind: str, members: list[int]) -> None:
+    """A group of cells and one of faces may have one name. Of two groups of the same dimension the second one has its kind behind its name,
+    unless both have the same members."""
+    rows, known = np.unique(np.array(members, np.int64)), raw.groups.get(name, np.empty(0, np.int64))
+    dimensions = linear.DIMENSION[raw.cells.types]
+    alike = known[np.isin(dimensions[known], dimensions[rows])]
+    if len(alike) == 0:
+        raw.groups[name] = np.unique(np.concatenate([known, rows]))
+    elif not np.array_equal(alike, rows):
+        raw.groups[free_name(name, kind, raw.groups)] = rows
 
 
 def _mesh_of(path: str) -> Any:
@@ -129,6 +146,15 @@ def _nodes_of(element: Any, kind: int, source: str) -> list[int]:
     if len(nodes) < _WIDTHS[kind]:
         raise MeshError(source, f"element {element.get('id')} has {len(nodes)} nodes, where its type has {_WIDTHS[kind]}", _WAY_ON)
     return [nodes[i] for i in _ORDER.get(kind, range(_WIDTHS[kind]))]
+
+
+def _numbers_of(elements: Any) -> Iterator[int]:
+    """The numbers of a set, which may be ranges such as 3:7 or 3:7:2, whose ends belong to them."""
+    for element in elements:
+        yield int(element.attrib["id"])
+    for word in _words(elements):
+        first, *more = map(int, word.split(":"))
+        yield from range(first, (more or [first])[0] + 1, *more[1:])
 
 
 def _words(element: Any) -> list[str]:

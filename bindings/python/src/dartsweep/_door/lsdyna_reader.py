@@ -15,7 +15,7 @@ from . import degenerate, linear
 from .error import MeshError
 from .mesh import Indices
 from .ragged import groups_by_number, offsets_of
-from .raw import Raw
+from .raw import Raw, free_name
 
 _KEYWORD = re.compile(r"\*([A-Z0-9_]+)[ \t]*([-+%]?)")
 _ROWS_BEHIND = {"ORTHO": 2, "DOF": 1, "THICKNESS": 1, "BETA": 1, "MCID": 1, "OFFSET": 1}
@@ -235,7 +235,7 @@ class _Reading:
         taken = set[str]()
         for number in dict.fromkeys([*self.titles, *numbers]):
             title = self.titles.get(number, str(number))
-            names[number] = title if title not in taken else _free(f"{title} (part {number})", "PART", taken)
+            names[number] = title if title not in taken else free_name(f"{title} (part {number})", "PART", taken)
             taken.add(names[number])
         return names
 
@@ -251,14 +251,14 @@ class _Reading:
         for kind, name, ranges in self.sets:
             members = np.flatnonzero(_is_within(heads[:, 1], ranges) if kind == "PART" else _is_within(heads[:, 0], ranges) & (kinds == kind))
             if len(members):
-                raw.groups[_free(name, kind, {*raw.groups, *raw.region_names})] = members
+                raw.groups[free_name(name, kind, {*raw.groups, *raw.region_names})] = members
 
     def _add_segments(self, raw: Raw, index: Indices) -> None:
         taken = dict.fromkeys(raw.groups)
         for name, rows in self.segments:
             faces = [list(dict.fromkeys(row)) for row in rows]  # a triangle has a node twice
             nodes = np.array([node for face in faces for node in face if node], np.int64)
-            name = _free(name, "SEGMENT", taken)
+            name = free_name(name, "SEGMENT", taken)
             taken[name] = None
             raw.sides.append((name, offsets_of([sum(node > 0 for node in face) for face in faces]), self._places(nodes, index)))
 
@@ -279,13 +279,6 @@ def _is_within(numbers: Indices, ranges: list[tuple[int, int]]) -> Any:
     first, last = np.array(sorted(ranges), np.int64).T
     before = np.searchsorted(first, numbers, side="right")  # how many ranges begin at a number or below it
     return (before > 0) & (np.maximum.accumulate(last)[before - 1] >= numbers)
-
-
-def _free(name: str, kind: str, taken: Any) -> str:
-    """A name of a set that no other one has."""
-    if name not in taken:
-        return name
-    return next(new for i in itertools.count(1) if (new := f"{name} ({kind.lower()} set{'' if i == 1 else f' {i}'})") not in taken)
 
 
 def _real(word: str) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from typing import Any
 
 import numpy as np
@@ -41,6 +42,13 @@ class Raw:
     notes: list[str] = dataclasses.field(default_factory=list)
     source: str = "the mesh"
     reader: str = ""
+
+
+def free_name(name: str, kind: str, taken: Any) -> str:
+    """A name of a set that no other one has."""
+    if name not in taken:
+        return name
+    return next(new for i in itertools.count(1) if (new := f"{name} ({kind.lower()} set{'' if i == 1 else f' {i}'})") not in taken)
 
 
 def mesh_of(raw: Raw, quadratic: str = "corners") -> Mesh:
