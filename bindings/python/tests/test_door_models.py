@@ -165,7 +165,7 @@ def test_meshes_of_gid_keep_names_or_materials(tmp_path: pathlib.Path) -> None:
         ("Elmer", "715", [*_LOW, *_TOP, *_UP]),  # its elements.def
         ("Elmer", "715", [*_LOW, *_UP, *_TOP]),  # as ElmerGrid converts those of Gmsh
         ("Elmer", "827", [*_LOWER, *_UPWARDS, *_UPPER, *_AROUND, *_BELOW, *_ABOVE, *_CENTRE]),
-        ("GiD", "Prism", [*_LOW, *_UP, *_TOP]),  # its reference, and Kratos's geometries, which have the same order
+        ("GiD", "Prism", [*_LOW, *_UP, *_TOP]),  # by the geometries of Kratos, whose pages say that GiD has their order
         ("GiD", "Hexahedra", [*_LOWER, *_UPWARDS, *_UPPER]),
         ("GiD", "Hexahedra", [*_LOWER, *_UPWARDS, *_UPPER, *_BELOW, *_AROUND, *_ABOVE, *_CENTRE]),
     ],
