@@ -9,7 +9,9 @@ namespace dsw::capi {
 /** Targets of the vertices that move are finite; those of others are not read. */
 template <int D>
 void check_targets(const Body<D>& body, PointArray targets, const MoveOrder& order, size_t first) {
-  const size_t count = order.vertices != nullptr ? order.count : body.vertices.size();
+  const size_t all = body.vertices.size(), count = order.vertices != nullptr ? order.count : all;
+  if (count == all && first == 0 && body.vertex_slots.alive_count() == all && find_non_finite(targets, all, D) == all)
+    return;
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
     if (body.has_vertex(v) && !is_finite<D>(targets[first + v])) {

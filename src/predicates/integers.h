@@ -68,8 +68,8 @@ inline Decoded decode(double x) noexcept {
 template <int D>
 struct Span {
   int low[D];
-  int width = 0;  // the largest number of bits from the lowest to the highest
-  bool small;
+  int width = 0;      // the largest number of bits from the lowest to the highest
+  bool small = true;  // never of numbers that are not finite
 
   template <int Count>
   explicit Span(const double* const (&points)[Count]) noexcept {
@@ -91,8 +91,9 @@ struct Span {
       const Decoded d = decode(of_bits(largest >> 1));
       const int bits = d.exponent + 1 + static_cast<int>(highest_bit(d.magnitude)) - lowest;
       width = bits > width ? bits : width;
+      small = small && d.exponent < 0x7ff;
     }
-    small = width <= 62;
+    small = small && width <= 62;
   }
 };
 
