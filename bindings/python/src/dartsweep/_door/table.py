@@ -84,7 +84,7 @@ DIALECTS = (
     _dialect("DOLFIN", ".xml", "meshio:dolfin-xml", "cell data", r"(?s)\s*<(?:.*<)?dolfin"),
     _dialect("FLAC3D", ".f3grid", "meshio:flac3d", "groups"),
     _dialect("Kratos", ".mdpa", "kratos:mdpa", "properties as regions; sub-model parts"),
-    _dialect("FEBio", ".feb", "febio:feb", "parts as regions; surfaces; sets of elements; lists of parts", r"\s*<"),
+    _dialect("FEBio", ".feb", "febio:feb", "parts, or materials in version 1, as regions; surfaces; sets of elements; lists of parts", r"\s*<"),
     _dialect("Elmer", ".header", "elmer:elmer", "bodies as regions; boundaries; both with names"),
     _dialect("GiD", ".msh", "gid:gid", "meshes and materials as regions", r"(?is)\s*(?:#[^\n]*\n\s*)*(?:GROUP\b[^\n]*\n\s*)?MESH\b[^\n]*\bELEMTYPE\b"),
     _dialect("PERMAS", ".post .dato", "meshio:permas", "cells only"),
