@@ -54,6 +54,19 @@ physics::Scene make_scene(dsw_environment* environment, std::uint32_t features) 
   return physics::Scene(scene);
 }
 
+dsw_status add_edge(dsw_scene* scene, const Point* ends, dsw_level level, std::uint32_t flags, dsw_body_id* body) {
+  static constexpr std::uint32_t kEdge[2] = {0, 1};
+  dsw_body_desc desc;
+  dsw_body_desc_init(&desc, sizeof desc);
+  desc.level = level;
+  desc.flags = flags;
+  desc.positions = ends[0].data();
+  desc.vertex_count = 2;
+  desc.edges = kEdge;
+  desc.edge_count = 1;
+  return dsw_body_create(scene, &desc, body);
+}
+
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point cross(const Point& a, const Point& b) {

@@ -48,6 +48,8 @@ struct Tetrahedra {
 };
 
 physics::Scene make_scene(dsw_environment* environment, std::uint32_t features);
+// A body of one edge.
+dsw_status add_edge(dsw_scene* scene, const Point* ends, dsw_level level, std::uint32_t flags, dsw_body_id* body);
 
 double dot(const Point& a, const Point& b);
 Point minus(const Point& a, const Point& b);

@@ -83,21 +83,6 @@ void deformations(Statements* out) {
 
 namespace {
 
-// A body of one edge.
-dsw_body_id add_edge(dsw_scene* scene, const Point* ends, std::uint32_t flags) {
-  static constexpr std::uint32_t kEdge[2] = {0, 1};
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
-  desc.flags = flags;
-  desc.positions = ends[0].data();
-  desc.vertex_count = 2;
-  desc.edges = kEdge;
-  desc.edge_count = 1;
-  dsw_body_id body;
-  physics::check(dsw_body_create(scene, &desc, &body), "adding an edge");
-  return body;
-}
-
 // Where the vertices of an edge lie after some points of the floor, z = 0, have risen by 0.3.
 template <class Rises>
 std::vector<Point> raise_floor(const Point* ends, std::uint32_t flags, dsw_deform_method method,
@@ -105,7 +90,8 @@ std::vector<Point> raise_floor(const Point* ends, std::uint32_t flags, dsw_defor
   Random random(3);
   const Tetrahedra mesh(kSide, &random);
   const physics::Scene scene = make_scene(mesh.environment.get(), DSW_FEATURE_DEFORMING);
-  const dsw_body_id body = add_edge(scene.get(), ends, flags);
+  dsw_body_id body;
+  physics::check(add_edge(scene.get(), ends, DSW_LEVEL_EDGES_SWEPT, flags, &body), "adding an edge");
   std::vector<double> next = mesh.points;
   for (std::size_t i = 0; i < next.size(); i += 3) {
     next[i + 2] += next[i + 2] == 0 && rises(next[i], next[i + 1]) ? 0.3 : 0;

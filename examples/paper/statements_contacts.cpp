@@ -17,23 +17,10 @@ double angle(const Point& a, const Point& b) {
   return kDegrees * std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0));
 }
 
-// A body of one edge.
-dsw_status add_edge(dsw_scene* scene, const Point* ends, dsw_body_id* body) {
-  static constexpr std::uint32_t kEdge[2] = {0, 1};
-  dsw_body_desc desc;
-  dsw_body_desc_init(&desc, sizeof desc);
-  desc.level = DSW_LEVEL_EDGES;
-  desc.positions = ends[0].data();
-  desc.vertex_count = 2;
-  desc.edges = kEdge;
-  desc.edge_count = 1;
-  return dsw_body_create(scene, &desc, body);
-}
-
 // The contact of an edge whose first end moves; false if the edge does not touch.
 bool touch(dsw_scene* scene, const Point* ends, const Point& target, dsw_search search, dsw_body_contact* contact) {
   dsw_body_id body;
-  if (add_edge(scene, ends, &body) != DSW_STATUS_OK) {
+  if (add_edge(scene, ends, DSW_LEVEL_EDGES, 0, &body) != DSW_STATUS_OK) {
     return false;
   }
   const Point targets[2] = {target, ends[1]};

@@ -10,8 +10,8 @@ namespace dsw::capi {
 template <int D>
 void check_targets(const Body<D>& body, PointArray targets, const MoveOrder& order, size_t first) {
   const size_t all = body.vertices.size(), count = order.vertices != nullptr ? order.count : all;
-  if (count == all && first == 0 && body.vertex_slots.alive_count() == all && find_non_finite(targets, all, D) == all)
-    return;
+  const bool has_all = count == all && body.vertex_slots.alive_count() == all;
+  if (has_all && find_non_finite({targets[first], targets.step}, all, D) == all) return;
   for (size_t i = 0; i < count; ++i) {
     const uint32_t v = order.vertices != nullptr ? order.vertices[i] : static_cast<uint32_t>(i);
     if (body.has_vertex(v) && !is_finite<D>(targets[first + v])) {
@@ -43,14 +43,10 @@ Array<BodyRecord<D>*> check_bodies(Scene<D>& scene, const dsw_body_id* bodies, s
 template <int D>
 PointArray check_all_targets(const Array<BodyRecord<D>*>& records, const double* targets, size_t count,
                              size_t stride_bytes) {
-  size_t needed = 0, alive = 0;
-  for (const BodyRecord<D>* each : records) {
-    needed += each->body.vertices.size();
-    alive += each->body.vertex_slots.alive_count();
-  }
+  size_t needed = 0;
+  for (const BodyRecord<D>* each : records) needed += each->body.vertices.size();
   check_target_count(count, needed);
   const PointArray points = to_points(D, targets, count, stride_bytes, "targets");
-  if (alive == needed && find_non_finite(points, count, D) == count) return points;
   size_t first = 0;
   for (const BodyRecord<D>* each : records) {
     check_targets(each->body, points, {}, first);

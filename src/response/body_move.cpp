@@ -208,7 +208,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
       if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
-    if (leaves_) test_untested(v, false, record.edits.empty());
+    if (leaves_) test_untested(v, false, record);
     if (may_skip && !leaves_ && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size(), exits = record.exits.size();
     const uint32_t limited = record.limited;
@@ -230,11 +230,11 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
 }
 
 /** Before a vertex moves alone: which of its edges are free where they are. Those that are not meet nothing. What was found
- * out of edges whose other ends have their turns later counts again when this one is over.
- * @param is_pass of further passes: all have had their turns.
- * @param is_whole this move has changed no edge: what was free before it is free as long as neither end has moved. */
+ * out of edges whose other ends have their turns later counts again when this one is over. Such an edge is free where it is if it was so
+ * before the move, and the move has changed no edge.
+ * @param is_pass of further passes: all have had their turns. */
 template <int D>
-void BodyMove<D>::test_untested(uint32_t v, bool is_pass, bool is_whole) {
+void BodyMove<D>::test_untested(uint32_t v, bool is_pass, const MoveRecord& record) {
   const Body<D>& body = *course_.motion.body;
   left_.clear();
   known_free_.clear();
@@ -243,7 +243,7 @@ void BodyMove<D>::test_untested(uint32_t v, bool is_pass, bool is_whole) {
     const bool is_later = !is_pass && w < course_.vertices.size() && course_.moves(w) &&
                           course_.vertices[w].rank > course_.vertices[v].rank;
     if (is_later) left_.push_back({e, body.untested[e]});
-    if (is_later && is_whole && untested_[e] == 0) known_free_.push_back(e);
+    if (is_later && record.edits.empty() && untested_[e] == 0) known_free_.push_back(e);
     return true;
   });
   casts_.test_star(v, known_free_);
@@ -293,7 +293,7 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size(), exits = record.exits.size();
-      if (leaves_) test_untested(v, true, false);
+      if (leaves_) test_untested(v, true, record);
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;

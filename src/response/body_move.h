@@ -59,7 +59,7 @@ class BodyMove {
   void go_on(const MoveSettings& settings, MoveRecord& record);
   void disturb(uint32_t v);
   void look_ahead(bool slides);
-  void test_untested(uint32_t v, bool is_pass, bool is_whole);
+  void test_untested(uint32_t v, bool is_pass, const MoveRecord& record);
   void keep_untested();
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 

@@ -41,13 +41,13 @@ class Shadows {
       extent[i] = 0.5 * all.upper[i] - 0.5 * all.lower[i];
       size = std::fmax(size, extent[i]);
     }
-    is_usual_ = size < 0x1p1000 && size > 0x1p-1000;
-    scale_ = 1 / size;
+    const bool is_usual = size < 0x1p1000 && size > 0x1p-1000;
+    scale_ = is_usual ? 1 / size : 0;
     for (int k = 0; k < kDirections; ++k) {
       double half = 0;
       for (int i = 0; i < D; ++i) half += std::fabs(kAlong[i][k]) * extent[i];
       // Nothing is apart where steps are not far longer than roundings.
-      const bool is_known = is_usual_ && half > 0x1p-30 * largest;
+      const bool is_known = is_usual && half > 0x1p-30 * largest;
       for (int i = 0; i < D; ++i) {
         along_[i][k] = is_known ? static_cast<float>(kAlong[i][k] * kMostSteps * (size / half)) : 0;
       }
@@ -105,7 +105,7 @@ class Shadows {
     // What is left out of all steps is finite: see find_drift. So all places lie in the box, and all sums are numbers below
     // 2^15. The loops are such as compilers make vectors of.
     float place[D], sums[kDirections];
-    for (int i = 0; i < D; ++i) place[i] = is_usual_ ? static_cast<float>((at[i] - centre_[i]) * scale_) : 0;
+    for (int i = 0; i < D; ++i) place[i] = scale_ != 0 ? static_cast<float>((at[i] - centre_[i]) * scale_) : 0;
     for (int k = 0; k < kDirections; ++k) {
       sums[k] = along_[0][k] * place[0];
       for (int i = 1; i < D; ++i) sums[k] += along_[i][k] * place[i];
@@ -118,9 +118,9 @@ class Shadows {
   }
 
   Array<Shadow> shadows_;
-  bool is_usual_ = false;              // a frame can hold all places
-  double centre_[D] = {}, scale_ = 0;  // which makes coordinates from the centre at most 1
-  float along_[D][kDirections] = {};   // steps of the frame along each direction
+  double centre_[D] = {},
+         scale_ = 0;  // which makes coordinates from the centre at most 1; 0 if no frame can hold all places
+  float along_[D][kDirections] = {};  // steps of the frame along each direction
 };
 
 }  // namespace dsw

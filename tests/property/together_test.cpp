@@ -62,7 +62,8 @@ class TogetherTest : public WaysTest<Kind> {
 TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
   size_t moves = 0, touches = 0, missed = 0, made_up = 0, wrong_time = 0, passed = 0, not_free = 0, short_of = 0;
   const int rounds = at_least(60);
-  for (int round = 0; round < rounds; ++round) {
+  const auto touch_enough = [&] { return touches > moves / 20; };
+  for (int round = 0; round < rounds || (!touch_enough() && round < 10 * rounds); ++round) {
     const Ground ground = make_ground(dimension(), 3, 0.15, GetParam().marked, GetParam().thin, rng_);
     ASSERT_NE(ground.environment, nullptr);
     ScenePtr scene = make_scene(ground.environment.get(), DSW_FEATURE_BODY_CONTACTS);
@@ -99,7 +100,7 @@ TEST_P(TogetherTest, StopAllMissesNothingAndPassesNothing) {
       GetParam().name, moves, touches, missed, made_up, wrong_time, passed, not_free, short_of);
   record_moves(moves, missed + passed, not_free, 0);
   EXPECT_EQ(missed + made_up + wrong_time + passed + not_free + short_of, 0u);
-  EXPECT_GT(touches, moves / 40);
+  EXPECT_TRUE(touch_enough());
 }
 
 TEST_P(TogetherTest, WhatGoesOnIsFreeToo) {
