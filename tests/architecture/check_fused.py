@@ -20,15 +20,20 @@ def read(lines):
     """Fused instructions of a disassembly as (file, function, instruction), and the number of products."""
     fused, products, path, function = [], 0, "", ""
     for line in lines:
-        if match := re.match(r"(\S.*):\s+file format ", line):
-            path = match[1].replace("\\", "/")
-        elif match := re.match(r"[0-9a-f]+ <(.*)>:$", line):
-            function = match[1]
-        elif match := re.match(r"\s+[0-9a-f]+:\s+(?:\{\w+\}\s+)?(\w+)", line):
+        if line.startswith(" "):
+            if not ("mul" in line or "fm" in line or "fnm" in line):  # most lines, and quicker than an expression
+                continue
+            match = re.match(r"\s+[0-9a-f]+:\s+(?:\{\w+\}\s+)?(\w+)", line)
+            if not match:
+                continue
             if FUSED.match(match[1]):
                 fused.append((path, function, match[1]))
             elif PRODUCT.match(match[1]):
                 products += 1
+        elif match := re.match(r"(\S.*):\s+file format ", line):
+            path = match[1].replace("\\", "/")
+        elif match := re.match(r"[0-9a-f]+ <(.*)>:$", line):
+            function = match[1]
     return fused, products
 
 

@@ -3,6 +3,9 @@
 #include "defaults.h"
 #include "life.h"
 
+#include "../effort.h"
+
+#include <algorithm>
 #include <cstdio>
 
 namespace dsw::portable {
@@ -20,8 +23,11 @@ bool record(const std::string& folder, dsw_context* context) {
   std::string list;
   uint64_t all_calls = 0, all_bytes = 0, files = 0;
   for (const LifeKind& kind : life_kinds()) {
+    // A quarter at least: with less, functions that rarely succeed would be in no recording.
+    const int share = std::max(effort_of(static_cast<int>(kind.calls)), static_cast<int>(kind.calls) / 4);
+    const uint64_t wanted = static_cast<uint64_t>(share);
     uint64_t calls = 0;
-    for (uint64_t part = 0; calls < kind.calls && part < kMostParts; ++part) {
+    for (uint64_t part = 0; calls < wanted && part < kMostParts; ++part) {
       Life life(kind, 1000 * part + 7, context);
       if (!life.began()) continue;
       std::string recording;
@@ -31,7 +37,7 @@ bool record(const std::string& folder, dsw_context* context) {
       desc.flags = DSW_RECORDING_STATES;
       if (dsw_scene_start_recording(life.scene(), &desc) != DSW_STATUS_OK) return false;
       uint64_t made = 0;
-      for (; calls + made < kind.calls && !life.is_over(); ++made) life.act();
+      for (; calls + made < wanted && !life.is_over(); ++made) life.act();
       if (dsw_scene_stop_recording(life.scene()) != DSW_STATUS_OK) return false;
       calls += made;
       const std::string name = std::string(kind.name) + "_" + std::to_string(part) + ".dswrec";
