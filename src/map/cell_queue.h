@@ -44,6 +44,8 @@ class CellQueue {
   Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
 };
 
+/** The facets of a tetrahedron at each of its vertices. */
+constexpr uint8_t kTetrahedronFacetsAt[4][3] = {{0, 2, 3}, {0, 1, 3}, {1, 2, 3}, {0, 1, 2}};
 /** The facets of a hexahedron at each of its vertices. */
 struct BoxFacetsAt {
   uint8_t of[8][3] = {};
@@ -56,35 +58,51 @@ struct BoxFacetsAt {
 };
 inline constexpr BoxFacetsAt kBoxFacetsAt{};
 
-/** Calls visit(facet) for the facets of a cell at one of its vertices. */
+/** Calls visit(half-facet, its number) for the facets of a cell at one of its vertices. */
 template <int D, class Visit>
 void for_each_facet_at_vertex(const Map<D>& map, Cell c, uint32_t vertex, Visit visit) {
-  if (D == 3 && map.form(c) == Form::kBox) {
-    uint32_t local = 0;
-    while (map.record(c)[kUnitWords<D> + local] != vertex) ++local;
-    for (const uint32_t f : kBoxFacetsAt.of[local]) visit(f);
-    return;
+  if constexpr (D == 3) {
+    const uint32_t* const w = map.record(c);
+    const Form form = form_of(w[0]);
+    const uint32_t end = (c.unit + 1) * kUnitWords<D>;
+    if (form == Form::kBox) {
+      uint32_t local = 0;
+      while (w[kUnitWords<D> + local] != vertex) ++local;
+      for (const uint32_t f : kBoxFacetsAt.of[local]) visit(HalfFacet{end - 6 + f}, f);
+      return;
+    }
+    if (form == Form::kSimplex) {
+      uint32_t local = 0;
+      while ((w[local] & kVertexMask) != vertex) ++local;
+      for (const uint32_t f : kTetrahedronFacetsAt[local]) visit(HalfFacet{end - 4 + f}, f);
+      return;
+    }
   }
   const Shape shape = map.shape(c);
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     for_each_facet_vertex<D>(shape, f, [&](uint32_t local) {
-      if (map.vertex(c, local) == vertex) visit(f);
+      if (map.vertex(c, local) == vertex) visit(map.half_facet(c, f), f);
     });
   }
 }
 
 /** Adds to `around` the cells that can be reached from those in it through facets at a vertex, passable or not;
- * visit(cell) is called for all. At a pinched boundary there can be others. Throws std::bad_alloc. */
+ * visit(cell) is called for all. At a pinched boundary there can be others. Returns whether all of the cells and of these
+ * facets are passable. Throws std::bad_alloc. */
 template <int D, class Visit>
-void for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& around, Visit visit) {
+bool for_each_cell_at_vertex(const Map<D>& map, uint32_t vertex, CellQueue& around, Visit visit) {
+  bool passable = true;
   for (size_t i = 0; i < around.size(); ++i) {
     const Cell at = around[i];
     visit(at);
-    for_each_facet_at_vertex(map, at, vertex, [&](uint32_t f) {
-      const HalfFacet o = map.opposite(map.half_facet(at, f));
+    passable = passable && !map.marked(at);
+    for_each_facet_at_vertex(map, at, vertex, [&](HalfFacet h, uint32_t) {
+      const HalfFacet o = map.opposite(h);
+      passable = passable && o.valid() && !map.facet_marked(h);
       if (o.valid()) around.insert(map.cell_of(o));
     });
   }
+  return passable;
 }
 
 }  // namespace dsw

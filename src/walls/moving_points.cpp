@@ -51,12 +51,11 @@ void MovingPoints<D>::touch(uint32_t v, double fraction) {
   if (!is_finite<D>(target)) fail_non_finite({way_.nexts(), D}, v, D, {"next", true});
   reserve_more(touched_, 1);
   reserve_more(targets_, D);
-  for (int k = 0; k < D; ++k) targets_.push_back(target[k]);
+  targets_.insert(targets_.end(), target, target + D);
   place_[v] = static_cast<uint32_t>(touched_.size());
   touched_.push_back(v);
-  double position[D];
-  at(v, fraction, position);
-  put(v, position);
+  at(v, fraction, way_.next(v));
+  env_.note_move();
 }
 
 template <int D>

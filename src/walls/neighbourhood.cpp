@@ -82,8 +82,13 @@ void Neighbourhood<D>::end_step(double fraction) noexcept {
 
 template <int D>
 const Array<Cell>& Neighbourhood<D>::find_star(uint32_t v) {
+  const Near& near = near_[points_.place(v)];
   star_.clear();
-  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) star_.push_back(cells_[n].cell);
+  is_star_passable_ = !near.has_walls;
+  for (uint32_t n = near.first_cell; n != kNone; n = cells_[n].next) {
+    star_.push_back(cells_[n].cell);
+    is_star_passable_ = is_star_passable_ && cells_[n].explored;
+  }
   return star_;
 }
 
@@ -307,8 +312,10 @@ template <int D>
 void Neighbourhood<D>::explore(uint32_t v, Cell c) {
   around_.clear();
   around_.insert(c);
-  for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) { open(at); });
-  for (uint32_t n = near_[points_.place(v)].first_cell; n != kNone; n = cells_[n].next) {
+  const bool passable = for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) { open(at); });
+  Near& near = near_[points_.place(v)];
+  near.has_walls = near.has_walls || !passable;
+  for (uint32_t n = near.first_cell; n != kNone; n = cells_[n].next) {
     cells_[n].explored = cells_[n].explored || around_.contains(cells_[n].cell);
   }
 }

@@ -34,6 +34,8 @@ class Neighbourhood {
 
   /** The cells at a near vertex that can be entered; no other can hold anything. Valid until the next call. */
   const Array<Cell>& find_star(uint32_t v);
+  /** Whether all cells of the star that was found last, and their facets at its vertex, are known to be passable. */
+  bool is_star_passable() const noexcept { return is_star_passable_; }
   /** What lies in the star that was found last, and perhaps more. */
   void find_features(Array<Feature>& features);
   /** What was known of the cells at a vertex holds no more. */
@@ -62,6 +64,7 @@ class Neighbourhood {
     uint32_t first_cell = kNone;  // of the open ones that have it, in cells_
     uint32_t step = 0;            // the last that it had its turn in
     bool is_near = false;
+    bool has_walls = false;  // among the explored cells that have it, or their facets at it
   };
   struct CellNode {
     Cell cell;
@@ -97,6 +100,7 @@ class Neighbourhood {
   Array<Cell> open_{env_.memory};      // cells that can be entered
   CellQueue around_{env_.memory}, reach_;
   Array<Cell> star_{env_.memory};
+  bool is_star_passable_ = false;
   Array<Cell> traced_{env_.memory};
   size_t traced_count_ = 0;  // may be more than there was room for
 };

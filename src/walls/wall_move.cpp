@@ -92,7 +92,7 @@ void WallMove<D>::look_round(uint32_t v) {
   sweeps_.partners = all_.partners;
   star_ = &around_.find_star(v);
   around_.find_features(features_);
-  walls_.start(v, *star_);
+  walls_.start(v, *star_, around_.is_star_passable());
 }
 
 template <int D>

@@ -90,31 +90,26 @@ template <int D>
 WallSweep<D>::WallSweep(const Environment<D>& env) : env_(env) {}
 
 template <int D>
-void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star) {
+void WallSweep<D>::start(uint32_t vertex, const Array<Cell>& star, bool passable) {
   const Map<D>& map = env_.map;
   vertex_ = vertex;
   front_ = {};
   simplices_.clear();
   ridges_.clear();
-  for (const Cell c : star) {
+  if (passable) front_ = star[0];
+  for (size_t i = passable ? star.size() : 0; i < star.size(); ++i) {
+    const Cell c = star[i];
     if (!front_.valid() || map.marked(front_)) front_ = c;
     if (map.marked(c)) continue;
-    const auto look = [&](uint32_t facet) {
-      const HalfFacet h = map.half_facet(c, facet), o = map.opposite(h);
+    for_each_facet_at_vertex(map, c, vertex, [&](HalfFacet h, uint32_t facet) {
+      const HalfFacet o = map.opposite(h);
       if (o.valid() && !map.facet_marked(h)) {
         if (!map.marked(map.cell_of(o))) return;
       } else if (o.valid() && !map.marked(map.cell_of(o)) && canonical(map, h) != h) {
         return;  // what is passable on both sides is met from both
       }
       add_facet(h, map.shape(c), c, facet);
-    };
-    if (D == 3 && map.form(c) == Form::kSimplex) {
-      for (uint32_t facet = 0; facet < 4; ++facet) {
-        if (map.vertex(c, kTetrahedronTips[facet]) != vertex) look(facet);
-      }
-    } else {
-      for_each_facet_at_vertex(map, c, vertex, look);
-    }
+    });
   }
   add_lone_ridges(star);
   impassable_ = !ridges_.empty() || vertex_marked(env_, vertex);

@@ -15,8 +15,9 @@ class WallSweep {
  public:
   explicit WallSweep(const Environment<D>& env);
 
-  /** Finds the walls at a vertex, among the cells round it. Throws std::bad_alloc. */
-  void start(uint32_t vertex, const Array<Cell>& star);
+  /** Finds the walls at a vertex, among the cells round it. Throws std::bad_alloc.
+   * @param passable whether all of these cells, and their facets at the vertex, are known to be passable. */
+  void start(uint32_t vertex, const Array<Cell>& star, bool passable);
   bool has_walls() const noexcept { return impassable_; }
 
   /** Whether a feature is touched when the vertex goes from `from` to `to`; fills *hit with the first touch. At EDGES a

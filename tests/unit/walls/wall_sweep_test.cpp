@@ -222,7 +222,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
     if (D == 2) add_edge(body, 0, 1);
     all.bodies.push_back({&body, &record, {0, 1}});
     WallSweep<D> walls(*this->env_);
-    walls.start(this->kMiddle, this->star_);
+    walls.start(this->kMiddle, this->star_, false);
     ASSERT_EQ(walls.has_walls(), !this->ridges_.empty() || vertex_marked(*this->env_, this->kMiddle));
     for (int move = 0; move < at_least(60); ++move) {
       double from[D], to[D];
@@ -289,7 +289,7 @@ TYPED_TEST(WallSweepTest, MeetsWhatStandsAloneFromEdgesSweptOn) {
   add_edge(body, 0, 1);
   all.bodies.push_back({&body, &record, {0, 1}});
   WallSweep<D> walls(*this->env_);
-  walls.start(this->kMiddle, this->star_);
+  walls.start(this->kMiddle, this->star_, false);
   const double from[3] = {8, 8, 6}, to[3] = {8, D == 3 ? 8. : 18., 18};
   WallHit hit;
   body.level = SweepLevel::kEdgesSwept;
@@ -327,7 +327,7 @@ TYPED_TEST(WallSweepTest, DescribesTheTouch) {
   add_edge(body, 0, 1);
   all.bodies.push_back({&body, &record, {0, 1}});
   WallSweep<D> walls(*this->env_);
-  walls.start(this->kMiddle, this->star_);
+  walls.start(this->kMiddle, this->star_, false);
   WallHit hit;
   ASSERT_TRUE(walls.meets(all, {Feature::kParticle, 0, 0}, from, to, &hit));
   EXPECT_GT(hit.time, 0.3);
