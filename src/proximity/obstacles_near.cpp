@@ -30,7 +30,7 @@ uint32_t ObstacleFlood<D>::outside(uint32_t vertex, const NearRegion<D>& region)
   Known& known = known_[vertex % kKnown];
   if (known.vertex != vertex) {
     known = {vertex, region.outside(env_.point(vertex))};
-    if (next_ != nullptr) known.bits &= region.outside(next_ + size_t{vertex} * D);
+    if (next_ != nullptr && known.bits != 0) known.bits &= region.outside(next_ + size_t{vertex} * D);
   }
   return known.bits;
 }

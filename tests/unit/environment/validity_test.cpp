@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include "environment/moving.h"
@@ -82,6 +83,42 @@ bool is_plainly_convex(const Environment<3>& env, Cell c) {
     }
   }
   return true;
+}
+
+/** Tetrahedra that are flat, nearly flat and of any size; in some a number is missing. */
+TEST(Validity, ATetrahedronIsValidIfItsVolumeIsPositive) {
+  Mesh3 mesh;
+  for (const auto& at : {std::array<double, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    mesh.point({at[0], at[1], at[2]});
+  }
+  mesh.cell(kTetra, {0, 1, 2, 3});
+  const auto env = mesh.build();
+  let_points_move(*env);
+  const std::vector<double> rest(env->points, env->points + 12);
+  std::vector<double> points = rest;
+  env->points = points.data();
+  env->note_move();
+  Random random(7);
+  int valid = 0, invalid = 0;
+  for (int i = 0; i < at_least(20000); ++i) {
+    const double scale = i % 3 == 0 ? 0x1p-330 : i % 3 == 1 ? 0x1p+350 : 1;
+    for (size_t k = 0; k < 12; ++k) {
+      points[k] = scale * (rest[k] + (i % 2 == 0 ? 0.5 * (random.below(5) - 2) : random.unit() * 2 - 1));
+    }
+    // The last vertex nearly in the plane of the others.
+    for (size_t k = 0; i % 5 == 0 && k < 3; ++k) points[9 + k] = (points[k] + points[3 + k] + points[6 + k]) / 3;
+    const bool is_number = i % 7 != 0;
+    if (!is_number) {
+      points[static_cast<size_t>(random.below(12))] =
+          i % 14 == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+    }
+    const bool expected = is_number && is_valid(check_cell(*env, env->map.cell(0)));
+    env->checked.forget_all();
+    ASSERT_EQ(admits(*env, env->map.cell(0)), expected) << i;
+    (expected ? valid : invalid) += 1;
+  }
+  EXPECT_GT(valid, 2000);
+  EXPECT_GT(invalid, 2000);
 }
 
 // Boxes of the lattice with vertices on edges and facets cut in two, as cuts leave them: flat facets in one plane,
