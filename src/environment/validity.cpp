@@ -194,22 +194,19 @@ CellState check_simplices(uint32_t simplex_count, Read read, const double* apex)
   return CellState::kValid;
 }
 
-/** Whether a tetrahedron is valid so clearly that the filter sees it: check_star asks for the same volume. */
-bool is_plainly_positive(const Environment<3>& env, const uint32_t* record) noexcept {
-  const double* const apex = env.point(record[2] & kVertexMask);
-  const auto to = [&](uint32_t i) { return filter::difference<3>(env.point(record[i] & kVertexMask), apex); };
-  const filter::Vec<3> p = to(0), q = to(1), r = to(3);
-  const double volume = filter::dot(filter::cross(p, q), r);
-  return volume > 0 && filter::certain(volume, filter::extent(p, q, r));
-}
-
-/** Whether a hexahedron is valid, and so clearly that the filter sees it: any three vertices of a facet, in its order,
- * have a positive volume with the centre. Then seen from there facets are convex, however they are cut, and a vertex
- * has three angles of less than pi. Round it that makes less than 3 pi, so once; and a sphere that covers a sphere
- * without a branch covers it once. */
+/** Whether a tetrahedron or a hexahedron is valid, and so clearly that the filter sees it. Of a tetrahedron the side is asked for that
+ * check_star asks for. Any three vertices of a facet of a hexahedron, in its order, have a positive volume with the centre. Then seen from
+ * there facets are convex, however they are cut, and a vertex has three angles of less than pi. Round it that makes less than 3 pi, so once;
+ * and a sphere that covers a sphere without a branch covers it once. */
 bool is_plainly_valid(const Environment<3>& env, Cell c) noexcept {
   const uint32_t* const w = env.map.record(c);
-  if (form_of(w[0]) == Form::kSimplex) return is_plainly_positive(env, w);
+  if (form_of(w[0]) == Form::kSimplex) {
+    const double* const facet[3] = {env.point(w[0] & kVertexMask), env.point(w[1] & kVertexMask),
+                                    env.point(w[3] & kVertexMask)};
+    const filter::Plane<3> plane(facet, env.point(w[2] & kVertexMask));
+    const double det = plane.det();
+    return det < 0 && filter::certain(det, plane.reach());
+  }
   if (form_of(w[0]) != Form::kBox) return false;
   double apex[3];
   centre(env, c, apex);

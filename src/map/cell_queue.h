@@ -44,19 +44,20 @@ class CellQueue {
   Array<uint32_t> slots_;  // their units by hash, linear probing; kNoCell is empty
 };
 
-/** The facets of a tetrahedron at each of its vertices. */
-constexpr uint8_t kTetrahedronFacetsAt[4][3] = {{0, 2, 3}, {0, 1, 3}, {1, 2, 3}, {0, 1, 2}};
-/** The facets of a hexahedron at each of its vertices. */
-struct BoxFacetsAt {
-  uint8_t of[8][3] = {};
-  constexpr BoxFacetsAt() {
-    uint32_t count[8] = {};
-    for (uint32_t f = 0; f < 6; ++f) {
-      for (const uint8_t vertex : kBoxFacets[f]) of[vertex][count[vertex]++] = static_cast<uint8_t>(f);
+/** The three facets at each vertex of a tetrahedron or a hexahedron. */
+template <int kVertices>
+struct FacetsAt {
+  uint8_t of[kVertices][3] = {};
+  template <int kFacets, int kCorners>
+  constexpr explicit FacetsAt(const uint8_t (&facets)[kFacets][kCorners]) {
+    uint32_t count[kVertices] = {};
+    for (int f = 0; f < kFacets; ++f) {
+      for (const uint8_t vertex : facets[f]) of[vertex][count[vertex]++] = static_cast<uint8_t>(f);
     }
   }
 };
-inline constexpr BoxFacetsAt kBoxFacetsAt{};
+inline constexpr FacetsAt<4> kTetrahedronFacetsAt{kTetrahedronFacets};
+inline constexpr FacetsAt<8> kBoxFacetsAt{kBoxFacets};
 
 /** Calls visit(half-facet, its number) for the facets of a cell at one of its vertices. */
 template <int D, class Visit>
@@ -74,7 +75,7 @@ void for_each_facet_at_vertex(const Map<D>& map, Cell c, uint32_t vertex, Visit 
     if (form == Form::kSimplex) {
       uint32_t local = 0;
       while ((w[local] & kVertexMask) != vertex) ++local;
-      for (const uint32_t f : kTetrahedronFacetsAt[local]) visit(HalfFacet{end - 4 + f}, f);
+      for (const uint32_t f : kTetrahedronFacetsAt.of[local]) visit(HalfFacet{end - 4 + f}, f);
       return;
     }
   }

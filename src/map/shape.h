@@ -105,7 +105,8 @@ void set_triangles(uint16_t* table, uint32_t facet, const uint16_t* triangles);
  * not counted) is cut from its second loop vertex instead of its first. */
 Shape standard_shape(Form form, uint32_t cuts);
 
-/** Facets of a hexahedron, as its table has them. */
+/** Facets of a tetrahedron, and of a hexahedron, as their tables have them. */
+constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
 constexpr uint8_t kBoxFacets[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
                                       {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 

@@ -6,9 +6,7 @@
 
 namespace dsw {
 
-/** The corners of a tetrahedron's facets, as standard_shape has them. */
-constexpr uint8_t kTetrahedronFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
-/** The vertex that each of them has not. */
+/** The vertex that each facet of a tetrahedron has not. */
 constexpr uint8_t kTetrahedronTips[4] = {2, 0, 1, 3};
 
 /** The cell of a facet of a tetrahedron, and its place in the tables above. */

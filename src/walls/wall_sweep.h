@@ -16,7 +16,7 @@ class WallSweep {
   explicit WallSweep(const Environment<D>& env);
 
   /** Finds the walls at a vertex, among the cells round it. Throws std::bad_alloc.
-   * @param passable whether all of these cells, and their facets at the vertex, are known to be passable. */
+   * @param passable whether all of these cells, and their facets at the vertex, are known to be passable. Then there is one at least. */
   void start(uint32_t vertex, const Array<Cell>& star, bool passable);
   bool has_walls() const noexcept { return impassable_; }
 

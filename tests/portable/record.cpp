@@ -24,8 +24,8 @@ bool record(const std::string& folder, dsw_context* context) {
   uint64_t all_calls = 0, all_bytes = 0, files = 0;
   for (const LifeKind& kind : life_kinds()) {
     // A quarter at least: with less, functions that rarely succeed would be in no recording.
-    const int share = std::max(effort_of(static_cast<int>(kind.calls)), static_cast<int>(kind.calls) / 4);
-    const uint64_t wanted = static_cast<uint64_t>(share);
+    const int all = static_cast<int>(kind.calls);
+    const uint64_t wanted = static_cast<uint64_t>(std::max(effort_of(all), all / 4));
     uint64_t calls = 0;
     for (uint64_t part = 0; calls < wanted && part < kMostParts; ++part) {
       Life life(kind, 1000 * part + 7, context);

@@ -12,6 +12,7 @@
 
 #include "environment/marking.h"
 #include "environment/test_mesh.h"
+#include "map/cell_queue.h"
 
 namespace {
 
@@ -206,7 +207,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
   constexpr int D = TypeParam::value;
   std::mt19937 random(static_cast<uint32_t>(seed_of(1)));
   std::uniform_int_distribution<int> place(2, 14);
-  int met[3] = {}, free = 0, with_ties = 0;
+  int met[3] = {}, free = 0, with_ties = 0, all_passable = 0;
   for (int scene = 0; scene < at_least(100); ++scene) {
     this->build(random);
     this->mark(random);
@@ -222,7 +223,13 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
     if (D == 2) add_edge(body, 0, 1);
     all.bodies.push_back({&body, &record, {0, 1}});
     WallSweep<D> walls(*this->env_);
-    walls.start(this->kMiddle, this->star_, false);
+    CellQueue around(nullptr);
+    around.insert(this->star_[0]);
+    const bool passable = for_each_cell_at_vertex(this->env_->map, this->kMiddle, around, [](Cell) {});
+    ASSERT_EQ(around.size(), this->star_.size());
+    ASSERT_TRUE(!passable || this->simplices_.empty());
+    all_passable += passable ? 1 : 0;
+    walls.start(this->kMiddle, this->star_, passable);
     ASSERT_EQ(walls.has_walls(), !this->ridges_.empty() || vertex_marked(*this->env_, this->kMiddle));
     for (int move = 0; move < at_least(60); ++move) {
       double from[D], to[D];
@@ -271,6 +278,7 @@ TYPED_TEST(WallSweepTest, FindsWhatIsTouched) {
   EXPECT_GT(met[2], D == 3 ? 120 : -1);
   EXPECT_GT(free, 1200);
   EXPECT_GT(with_ties, 1);
+  EXPECT_GT(all_passable, 1);
 }
 
 TYPED_TEST(WallSweepTest, MeetsWhatStandsAloneFromEdgesSweptOn) {
