@@ -10,6 +10,7 @@ void Course<D>::start(Body<D>& moved, PointArray to, MoveOrder wanted) {
   const Body<D>* const body = motion.body;
   order.clear();
   all_clear = false;
+  turn_words = nullptr;
   clear_edges.clear();
   clear_faces.clear();
   vertices.assign(body->vertices.size(), Vertex{});

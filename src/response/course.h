@@ -4,6 +4,7 @@
 #include "corridor/box_probe.h"
 #include "motion/moving_body.h"
 #include "response/settings.h"
+#include "response/turn_words.h"
 
 namespace dsw {
 
@@ -29,6 +30,7 @@ struct Course {
   // Parts known to meet no obstacle: all of them, or those with a 1, by edge and by face.
   bool all_clear = false;
   Array<uint8_t> clear_edges, clear_faces;
+  uint32_t* turn_words = nullptr;  // by vertex, if they are to say who is in doubt by now
 
   explicit Course(const Memory* memory)
       : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}
@@ -49,6 +51,10 @@ struct Course {
   void include_way(uint32_t v, Bounds<D>& box) const {
     box.include(motion.body->position(v));
     if (moves(v)) box.include(motion.targets[v]);
+  }
+  void put_in_doubt(uint32_t v) {
+    vertices[v].doubtful = true;
+    if (turn_words != nullptr) turn_words[v] &= ~TurnWord::kSure;
   }
   void arrive(uint32_t v) const { motion.arrive(v, motion.targets[v]); }
 };

@@ -18,9 +18,9 @@ void CourseCasts<D>::run() {
     if (packet_.reached(i)) continue;
     ++doubts_;
     if (vertices_[i] != kNone) {
-      course_.vertices[vertices_[i]].doubtful = true;
+      course_.put_in_doubt(vertices_[i]);
     } else {
-      for (const uint32_t v : course_.motion.body->edges[edges_[i]].ends) course_.vertices[v].doubtful = true;
+      for (const uint32_t v : course_.motion.body->edges[edges_[i]].ends) course_.put_in_doubt(v);
     }
   }
 }

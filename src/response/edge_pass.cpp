@@ -126,7 +126,7 @@ void EdgePass<D>::cast_places(uint32_t e, bool first_seen, bool second_seen) {
     add_place(first_seen, e, v, {first_way.arrival, targets[v]}, {second_way.from, body.position(w)});
   if (Back == BackEdges::kLeft) body.untested[e] = (both ? skips_second : skips_first) ? 1 : 0;
   if (!both) return;
-  second.doubtful = second.doubtful || !first_way.arrival.valid();
+  if (!first_way.arrival.valid()) course_.put_in_doubt(w);
   if (!second.doubtful && count(skips_second))
     add_place(second_seen, e, w, {second_way.arrival, targets[w]}, {first_way.arrival, targets[v]});
 }

@@ -26,6 +26,7 @@ void EdgeSieve<D>::start(bool may_skip) {
   sees_ = D == 3 && only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
           (sweeps_.max_volumes == 0 || sweeps_.max_volumes >= ShortEdges<D>::kMostCells);
   if (sees_ || sifts_) short_.start(sees_);
+  course_.turn_words = sees_ && !sifts_ ? short_.words() : nullptr;
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */
@@ -189,6 +190,12 @@ template <int D>
 void EdgeSieve<D>::gather() {
   const Body<D>& body = *course_.motion.body;
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
+  if (sees_ && body.edge_slots.alive_count() == size) {  // no free slot
+    count_ = std::min(kChunk, size - next_);
+    for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;
+    next_ += count_;
+    return;
+  }
   for (count_ = 0; next_ < size && count_ < kChunk; ++next_) {
     chunk_[count_] = next_;
     const BodyEdge& edge = body.edges[next_];

@@ -54,13 +54,18 @@ uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen
   const VertexWay* const ways = course_.motion.ways.data();
   const uint32_t* const words = words_.data();
   uint64_t inside = 0, stay = 0, sure = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t(&ends)[2] = of[edges[i]].ends;
-    const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
-    inside |= uint64_t{TurnWord::share_cell(a, b)} << i;
-    stay |= uint64_t{both / TurnWord::kStays & 1} << i;
-    const uint32_t doubt = uint32_t{vertices[ends[0]].doubtful} | uint32_t{vertices[ends[1]].doubtful};
-    sure |= uint64_t{both & (doubt ^ 1) & TurnWord::kMoves} << i;
+  if (course_.turn_words != nullptr && count != 0 && edges[count - 1] - edges[0] == count - 1) {  // in a row
+    const EdgeBits bits = kReadTurnWords(of + edges[0], count, words);
+    inside = bits.shared, stay = bits.stay, sure = bits.used & ~bits.odd;
+  } else {
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t(&ends)[2] = of[edges[i]].ends;
+      const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
+      inside |= uint64_t{TurnWord::share_cell(a, b)} << i;
+      stay |= uint64_t{both / TurnWord::kStays & 1} << i;
+      const uint32_t doubt = uint32_t{vertices[ends[0]].doubtful} | uint32_t{vertices[ends[1]].doubtful};
+      sure |= uint64_t{both & (doubt ^ 1) & TurnWord::kMoves} << i;
+    }
   }
   uint32_t pairs = 0;
   for (uint64_t rest = stay & ~inside; rest != 0; rest &= rest - 1) {

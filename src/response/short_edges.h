@@ -32,8 +32,9 @@ class ShortEdges {
   /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
    * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
   void start(bool looks);
-  /** A word for each vertex, as it was at the start. */
+  /** A word for each vertex, as it was at the start unless the course writes what has been put in doubt. */
   const uint32_t* words() const { return words_.data(); }
+  uint32_t* words() { return words_.data(); }
   static_assert(kMostUnits <= uint64_t{1} << (32 - TurnWord::kBits), "a unit has room above the bits");
   /** Whether a vertex stays in a cell that is not convex. */
   bool has_others() const { return has_others_; }

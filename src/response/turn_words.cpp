@@ -15,6 +15,7 @@ EdgeBits read_turn_words(const BodyEdge* edges, uint32_t count, const uint32_t* 
     const uint32_t a = words[v], b = words[edges[i].ends[1]], both = a & b;
     bits.used |= uint64_t{1} << i;
     bits.shared |= uint64_t{TurnWord::share_cell(a, b)} << i;
+    bits.stay |= uint64_t{both / TurnWord::kStays & 1} << i;
     bits.inwards |= uint64_t{both / TurnWord::kInwards & 1} << i;
     bits.odd |= uint64_t{(both & kPlain) != kPlain ? 1u : 0u} << i;
   }

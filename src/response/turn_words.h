@@ -18,6 +18,7 @@ struct TurnWord {
 struct EdgeBits {
   uint64_t used = 0;     // no free slot. The others are bits of these
   uint64_t shared = 0;   // both ends stay in the same convex cell
+  uint64_t stay = 0;     // each end stays in a convex cell
   uint64_t inwards = 0;  // both ends go inwards
   uint64_t odd = 0;      // an end does not move, or is in doubt
 };

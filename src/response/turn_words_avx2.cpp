@@ -34,6 +34,7 @@ bool are_used(const BodyEdge* e) noexcept {
 void add(const EdgeBits& some, uint32_t place, EdgeBits& bits) noexcept {
   bits.used |= some.used << place;
   bits.shared |= some.shared << place;
+  bits.stay |= some.stay << place;
   bits.inwards |= some.inwards << place;
   bits.odd |= some.odd << place;
 }
@@ -57,7 +58,9 @@ EdgeBits read_turn_words_avx2(const BodyEdge* edges, uint32_t count, const uint3
     const __m256i same = _mm256_cmpeq_epi32(_mm256_srli_epi32(a ^ b, 4), _mm256_setzero_si256());
     const uint64_t plain = signs(_mm256_slli_epi32(both, 31) & _mm256_slli_epi32(both, 30));
     bits.used |= uint64_t{0xff} << i;
-    bits.shared |= signs(same & _mm256_slli_epi32(both, 28)) << i;
+    const uint64_t stay = signs(_mm256_slli_epi32(both, 28));
+    bits.stay |= stay << i;
+    bits.shared |= (signs(same) & stay) << i;
     bits.inwards |= signs(_mm256_slli_epi32(both, 29)) << i;
     bits.odd |= (plain ^ 0xff) << i;
   }

@@ -20,7 +20,7 @@ bool is_set(uint64_t bits, uint32_t i) { return (bits >> i & 1) != 0; }
 /// Few units, so that many edges stay in one cell; units with all bits; one edge in nine is a free slot.
 TEST(TurnWords, TellOfEdges) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(13)));
-  uint64_t seen[4] = {};
+  uint64_t seen[5] = {};
   for (int i = 0; i < at_least(20000); ++i) {
     std::vector<uint32_t> words;
     for (int v = 0; v < 12; ++v) {
@@ -43,18 +43,21 @@ TEST(TurnWords, TellOfEdges) {
       const auto both = [&](uint32_t bit) { return (a & bit) != 0 && (b & bit) != 0; };
       ASSERT_EQ(is_set(bits.used, e), used) << i;
       ASSERT_EQ(is_set(bits.shared, e), used && both(TurnWord::kStays) && a >> 4 == b >> 4) << i;
+      ASSERT_EQ(is_set(bits.stay, e), used && both(TurnWord::kStays)) << i;
       ASSERT_EQ(is_set(bits.inwards, e), used && both(TurnWord::kInwards)) << i;
       ASSERT_EQ(is_set(bits.odd, e), used && !(both(TurnWord::kMoves) && both(TurnWord::kSure))) << i;
       seen[0] += is_set(bits.used, e) ? 1 : 0;
       seen[1] += is_set(bits.shared, e) ? 1 : 0;
       seen[2] += is_set(bits.inwards, e) ? 1 : 0;
       seen[3] += is_set(bits.odd, e) ? 1 : 0;
+      seen[4] += is_set(bits.stay, e) ? 1 : 0;
     }
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
       const EdgeBits lanes = read_turn_words_avx2(edges.data(), count, words.data());
       ASSERT_EQ(lanes.used, bits.used) << i;
       ASSERT_EQ(lanes.shared, bits.shared) << i;
+      ASSERT_EQ(lanes.stay, bits.stay) << i;
       ASSERT_EQ(lanes.inwards, bits.inwards) << i;
       ASSERT_EQ(lanes.odd, bits.odd) << i;
     }
