@@ -13,12 +13,12 @@ namespace dsw {
  * Let w stay in the convex cell B, and let the target lie outside of one facet of B alone. Then the way to the target leaves B
  * by that facet, from wherever in B it comes, and the next cell is asked in the same way until it is the one that holds the
  * target. So one look at B tells of both tests, and of all edges between v and what stays in B. If the target lies outside of
- * two facets of B, on which side of their ridge the edge passes tells which it is. */
+ * two facets of B, on which side of their ridge the edge passes tells which it is, and the edge is followed from there by itself. */
 template <int D>
 class ShortEdges {
  public:
   static constexpr uint32_t kMost = 64;
-  static constexpr uint32_t kMostCells = 4;  // that an edge lies in
+  static constexpr uint32_t kMostCells = 4 + kMostFurtherLooks;  // that an edge lies in
 
   /** A bit for each edge: whether it is seen to be free at the turn of its first end, and at that of its second one; whether
    * both of its ends move and are not in doubt. */
@@ -42,7 +42,7 @@ class ShortEdges {
   Seen find(const uint32_t* edges, uint32_t count);
 
  private:
-  static constexpr uint32_t kMostLooks = kMostCells - 1;
+  static constexpr uint32_t kMostLooks = 3;
   static constexpr uint32_t kMostPairs = 2 * kMost;
   static constexpr uint32_t kAsked = 1u << 30;  // with the number of a question that is still open
   static constexpr uint32_t kSeveral = 1u << 29;

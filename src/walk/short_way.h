@@ -26,11 +26,14 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
   return !env.has_moved() || (is_valid(cell) && is_valid(next)) ? next : Cell{};
 }
 
-/** For two ways to one end, a bit each: whether it leaves the cell through a facet whose open neighbour is `next`. Each way starts
- * in the cell, or comes into it. The end lies outside of exactly two facets: those of `facets`, a bit each. Asks of the ways of
- * `asked` alone, a bit each. */
+constexpr uint32_t kMostFurtherLooks = 4;
+
+/** For two ways to one end, a bit each: whether it leaves the cell for open neighbours, one after the other, of which the last is
+ * `last`. Each way starts in the cell, or comes into it. The end lies outside of two of its facets at most: those of `facets`, a bit
+ * each. Asks of the ways of `asked` alone, a bit each, and where they part may go on with one of them. Looks at no more than
+ * kMostFurtherLooks cells behind the first. */
 template <int D>
 uint32_t leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
-                    const double* to, Cell next, uint32_t asked) noexcept;
+                    const double* to, Cell last, uint32_t asked) noexcept;
 
 }  // namespace dsw
