@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Compiles every public header alone, and twice in a row, in the oldest version of each language that a host may use (those of C++ alone in
-the newest), and the header that has them all in every version: what a header lacks alone does not depend on the version.
+"""Compiles every public header alone, and twice in a row, in the oldest version of each language that a host may use, and the header that
+has them all in every version: what a header lacks alone does not depend on the version, but that newer ones include more by themselves.
 
 usage: check_headers.py INCLUDE_DIR C_COMPILER CXX_COMPILER
        check_headers.py --self-test C_COMPILER CXX_COMPILER
@@ -49,7 +49,7 @@ def with_all(include_dir, headers, suffix):
 
 def standards_of(header, whole):
     if header.endswith(".hpp"):
-        return HPP_STANDARDS if header in whole else HPP_STANDARDS[-1:]
+        return HPP_STANDARDS if header in whole else HPP_STANDARDS[:1]
     return C_STANDARDS + CXX_STANDARDS if header in whole else OLDEST
 
 

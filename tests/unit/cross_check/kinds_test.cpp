@@ -1,12 +1,17 @@
 // libccd's cross-check of normals that dsw_environment_cross_check is not asked about: of walls that move, body against body, a body
 // against itself, thick bodies, near rows, marked edges and vertices, and of the plane, extruded. Both features are put together from what
 // the reports say. Share and angle of each kind are printed, and have bars.
+#include <algorithm>
 #include <functional>
 
+#include "../../effort.h"
 #include "kinds.h"
 
 namespace dsw::test {
 namespace {
+
+/// Rounds: each kind still meets as many contacts as `judge` wants.
+int some_of(int rounds) { return std::max(rounds / 4, effort_of(rounds)); }
 
 /// One vertex of the environment moves at a time, so that all others are where they were.
 TEST_F(CrossCheckKinds, WallsThatMove) {
@@ -54,7 +59,7 @@ TEST_F(CrossCheckKinds, WallsThatMove) {
 /// One vertex moves at a time, so that what it touches is where it was.
 TEST_F(CrossCheckKinds, BodiesThatMeet) {
   Figures figures;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < some_of(30); ++round) {
     const Environment environment = tetrahedra();
     const Scene scene = scene_of(environment, DSW_FEATURE_BODY_CONTACTS);
     std::vector<dsw_body_id> bodies;
@@ -84,7 +89,7 @@ TEST_F(CrossCheckKinds, BodiesThatMeet) {
 
 TEST_F(CrossCheckKinds, BodiesThatMeetThemselves) {
   Figures figures;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < some_of(200); ++round) {
     const Environment environment = tetrahedra();
     const Scene scene = scene_of(environment, DSW_FEATURE_BODY_CONTACTS);
     Points at;
@@ -122,7 +127,7 @@ TEST_F(CrossCheckKinds, BodiesThatMeetThemselves) {
 TEST_F(CrossCheckKinds, ThickBodies) {
   Figures figures;
   constexpr double kRadius = 0.05;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < some_of(30); ++round) {
     const Environment environment = tetrahedra();
     mark_volumes(environment, 0.1);
     const Scene scene = scene_of(environment, 0);
@@ -267,7 +272,7 @@ void ask_in_plane(const Environment& environment, const std::vector<double>& poi
 TEST_F(CrossCheckKinds, ThePlaneExtruded) {
   static constexpr uint32_t kEdges[4] = {0, 1, 1, 2};
   Figures figures;
-  for (int round = 0; round < 10; ++round) {
+  for (int round = 0; round < some_of(10); ++round) {
     std::vector<double> points;
     std::vector<int64_t> cells;
     const Environment environment = create(triangles_desc(points, cells, [this] { return between(-0.2, 0.2); }));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "cases.h"
@@ -143,7 +144,7 @@ TEST(SweepEvents, OrderAndTimesAreThoseOfThePolynomials) {
   Random random(41);
   PointSet<3> s;
   Seen seen[3][3];
-  const int cases = static_cast<int>(case_count() * 3 / 5);
+  const int cases = std::max(1500, static_cast<int>(case_count() * 3 / 5));
   for (int i = 0; i < cases; ++i) {
     draw(random, 8, s);
     // Often something stands twice: an end on an obstacle's vertex, a common end q, two lines with a common point or
@@ -174,7 +175,7 @@ TEST(SweepEvents, OrderOnASmallLattice) {
   Random random(47);
   double x[8][3];
   Seen seen;
-  const int cases = static_cast<int>(case_count() * 3 / 5);
+  const int cases = std::max(1500, static_cast<int>(case_count() * 3 / 5));
   for (int i = 0; i < cases; ++i) {
     for (auto& point : x) {
       for (double& each : point) each = random.below(3);
@@ -197,7 +198,7 @@ TEST(SweepEvents, OrderInThePlane) {
   Random random(53);
   PointSet<2> s;
   Seen seen[2][2];
-  const int cases = static_cast<int>(case_count() * 2 / 5);
+  const int cases = std::max(1000, static_cast<int>(case_count() * 2 / 5));
   for (int i = 0; i < cases; ++i) {
     if (random.below(2) == 0) {
       draw(random, 6, s);
