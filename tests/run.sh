@@ -18,7 +18,7 @@ declare -A packages_of=( # of steps for other targets
   [windows]="g++-mingw-w64-x86-64-posix wine64 m4 make"
   [wasm]="emscripten m4 make"
   [packages]="g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine64 emscripten")
-all_steps=(release dev tsan page python node java csharp lua docs report format)
+all_steps=(release dev tsan python page node java csharp lua docs report format)
 # clang is a step to ask for: before a release, where bits may differ, or where a source of the engine may miss a header.
 # It compiles each source of the engine by itself, and tests without sanitizers.
 steps=("$@")
@@ -73,7 +73,7 @@ run_step() {
 }
 
 # Steps that keep one processor busy go side by side, as many as there are processors; before any other all have ended.
-single=" python node java csharp lua docs report format "
+single=" python page node java csharp lua docs report format "
 running=0
 wait_until_running() {
   while [ $running -gt "$1" ]; do

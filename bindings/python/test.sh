@@ -5,12 +5,16 @@ cd "$(dirname "$0")/../.."
 python=$PWD/build/python/venv/bin/python
 tests=$PWD/build/python/tests.xml
 
+# The module once more, with the shared library that the tests of abi/ guard, in build/dartsweep: another processor compiles it meanwhile.
+build_shared() {
+  PATH=$(dirname "$python"):$PATH cmake -S bindings/python -B build/python/shared -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DDSW_USE_INSTALLED=ON \
+    -DDSW_PYTHON_SHARED=ON -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" && cmake --build build/python/shared
+}
+build_shared >build/python/shared.log 2>&1 &
+
 export DARTSWEEP_OTHER_VTK=$PWD/build/python/vtk-9.6.2
 "$python" -m pytest bindings/python --junitxml="$tests"
-# This builds the module again, with the shared library that the tests of abi/ guard, in build/dartsweep.
-PATH=$(dirname "$python"):$PATH cmake -S bindings/python -B build/python/shared -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DDSW_USE_INSTALLED=ON \
-  -DDSW_PYTHON_SHARED=ON -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" >build/python/shared.log
-cmake --build build/python/shared >>build/python/shared.log || { tail -n 20 build/python/shared.log >&2; exit 1; }
+wait $! || { tail -n 20 build/python/shared.log >&2; exit 1; }
 DARTSWEEP_LIBRARY=$PWD/build/dartsweep/lib/libdartsweep.so PYTHONPATH=$PWD/build/python/shared "$python" -m pytest -p no:cacheprovider \
   bindings/python/tests/test_{shared,scenario,ids,ownership,together,rod,near,errors}.py
 for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture
