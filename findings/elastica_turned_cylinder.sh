@@ -2,7 +2,7 @@
 # PyElastica and a rod that lies on a drum (RodCylinderContact), and the vector "normal" that a Cylinder is made with.
 # One would guess that this vector, which only says where round its axis the frame of the cylinder starts, has no part in contacts, for a drum is round.
 # What happens: with the frame along the axes of the world a rod of short elements that is 0.05 deep in a drum of radius 1 feels the force. With the
-# frame turned by 45 degrees round the axis there is none, and none at any depth, until the rod is near the axis and is thrown out by the force of 0.8.
+# frame turned by 45 degrees round the axis there is none, and none down to a depth of 0.8; at 0.9 the whole force is there at once.
 # A first test with boxes adds the sides of the turned cylinder with their signs, so the box can have no height. No warning is given.
 # Who meets it: whoever lets a rod fall on, wind round or squeeze past a thick cylinder, if the elements are shorter than its radius; a cylinder that
 # rolls gets and loses its contacts as it turns.
