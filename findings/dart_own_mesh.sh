@@ -2,8 +2,8 @@
 # DART's own collision detector (DARTCollisionDetector of dartpy 6.20) and a cube of triangles that stands on a table.
 # One would guess that the cube rests, because this detector takes meshes and holds balls, boxes and cylinders on them, and a cube that is a box.
 # What happens: a cube whose sides are divided into 4 x 4 squares sinks into the table and turns over in it: after a second its centre is below the table's
-# top. A pair with a mesh has four contacts, whatever maxNumContacts says, and all four are at one edge or corner of the base, so the rest has no support. No warning
-# is given. Sides of two triangles each have four contacts that are apart, and that cube rests. With FCL, ODE and Bullet both rest.
+# top. A pair with a mesh has four contacts, whatever maxNumContacts says, and all four are at one edge or corner of the base, so the rest has no
+# support. No warning is given. Sides of two triangles each have four contacts that are apart, and that cube rests. With FCL, ODE and Bullet both rest.
 # Who meets it: whoever takes this detector because it holds balls on meshes, which the default, FCL, does not, and has parts of fine meshes.
 set -eu
 folder=$(mktemp -d)

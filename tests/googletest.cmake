@@ -17,35 +17,23 @@ else()
   include(GoogleTest)
 endif()
 
-# What nearly every source of a program of GoogleTest reads takes a second. GCC reads it once for all programs that are compiled with the
-# same options. clang reads each source by itself, so the step "clang" of run.sh sees a header that is missing.
-function(dsw_read_once target)
-  if(NOT dsw_unity_tests OR CMAKE_CROSSCOMPILING OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    return()
-  endif()
+# What nearly every source of a program of GoogleTest reads takes a second.
+function(dsw_read_googletest_once target)
   get_target_property(options ${target} COMPILE_OPTIONS)
   set(level)
   if("-O0" IN_LIST options)
     set(level -O0)
   endif()
-  if(NOT TARGET dsw_read_once${level})
-    file(WRITE ${PROJECT_BINARY_DIR}/tests/read_once.cpp.in "")
-    configure_file(${PROJECT_BINARY_DIR}/tests/read_once.cpp.in ${PROJECT_BINARY_DIR}/tests/read_once.cpp COPYONLY)
-    add_library(dsw_read_once${level} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/tests/read_once.cpp)
-    set_target_properties(dsw_read_once${level} PROPERTIES UNITY_BUILD OFF)
-    target_compile_options(dsw_read_once${level} PRIVATE ${level})
-    target_link_libraries(dsw_read_once${level} PRIVATE dartsweep_settings GTest::gtest)
-    target_precompile_headers(dsw_read_once${level} PRIVATE <gtest/gtest.h> <algorithm> <array> <atomic> <cmath> <cstdint> <cstring>
-      <functional> <limits> <map> <memory> <random> <set> <string> <thread> <tuple> <utility> <vector>)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM dsw_read_once${level})
+  dsw_read_once(dsw_googletest${level} TARGETS ${target} LINKS dartsweep_settings GTest::gtest OPTIONS ${level}
+    HEADERS <gtest/gtest.h> <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <functional> <limits> <map> <memory> <random> <set>
+      <string> <thread> <tuple> <utility> <vector>)
 endfunction()
 
 # dsw_google_tests(TARGET [EACH] [SHARES N] [PROPERTIES LABELS L]): the cases of a program are one test, or N tests. Starting a process
 # for each case took longer than most cases, above all under a sanitizer. Presets choose cases by GTEST_FILTER. With EACH a case is a
 # test, so that ctest names those that were skipped.
 function(dsw_google_tests target)
-  dsw_read_once(${target})
+  dsw_read_googletest_once(${target})
   cmake_parse_arguments(PARSE_ARGV 1 arg "EACH" "SHARES" "PROPERTIES")
   if(arg_EACH AND NOT CMAKE_CROSSCOMPILING)
     gtest_discover_tests(${target} PROPERTIES TIMEOUT 900 ${arg_PROPERTIES} DISCOVERY_TIMEOUT 60)

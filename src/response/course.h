@@ -30,7 +30,7 @@ struct Course {
   // Parts known to meet no obstacle: all of them, or those with a 1, by edge and by face.
   bool all_clear = false;
   Array<uint8_t> clear_edges, clear_faces;
-  uint32_t* turn_words = nullptr;  // by vertex, if they are to say who is in doubt by now
+  uint32_t* turn_words = nullptr;  // by vertex, if they are to say who is in doubt by now: in space
 
   explicit Course(const Memory* memory)
       : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}
@@ -54,7 +54,7 @@ struct Course {
   }
   void put_in_doubt(uint32_t v) {
     vertices[v].doubtful = true;
-    if (turn_words != nullptr) turn_words[v] &= ~TurnWord::kSure;
+    if (D == 3 && turn_words != nullptr) turn_words[v] &= ~TurnWord::kSure;
   }
   void arrive(uint32_t v) const { motion.arrive(v, motion.targets[v]); }
 };

@@ -190,7 +190,7 @@ template <int D>
 void EdgeSieve<D>::gather() {
   const Body<D>& body = *course_.motion.body;
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
-  if (sees_ && body.edge_slots.alive_count() == size) {  // no free slot
+  if (D == 3 && sees_ && body.edge_slots.alive_count() == size) {  // no free slot
     count_ = std::min(kChunk, size - next_);
     for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;
     next_ += count_;

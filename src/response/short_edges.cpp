@@ -54,7 +54,7 @@ uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen
   const VertexWay* const ways = course_.motion.ways.data();
   const uint32_t* const words = words_.data();
   uint64_t inside = 0, stay = 0, sure = 0;
-  if (course_.turn_words != nullptr && count != 0 && edges[count - 1] - edges[0] == count - 1) {  // in a row
+  if (D == 3 && course_.turn_words != nullptr && count != 0 && edges[count - 1] - edges[0] == count - 1) {  // in a row
     const EdgeBits bits = kReadTurnWords(of + edges[0], count, words);
     inside = bits.shared, stay = bits.stay, sure = bits.used & ~bits.odd;
   } else {
@@ -165,8 +165,8 @@ void ShortEdges<D>::answer(uint32_t count, Cell* cells, const double** points) {
   }
 }
 
-/** At which turns of its ends, of those that are asked about, an edge passes from the cell that was looked at last straight into
- * that of the target of its first end. */
+/** At which turns of its ends, of those that are asked about, an edge goes on from the cell that was looked at last, by
+ * open neighbours, into that of the target of its first end. */
 template <int D>
 uint32_t ShortEdges<D>::leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const {
   const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);

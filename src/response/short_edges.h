@@ -18,7 +18,8 @@ template <int D>
 class ShortEdges {
  public:
   static constexpr uint32_t kMost = 64;
-  static constexpr uint32_t kMostCells = 4 + kMostFurtherLooks;  // that an edge lies in
+  static constexpr uint32_t kMostLooks = 3;
+  static constexpr uint32_t kMostCells = 1 + kMostLooks + kMostFurtherLooks;  // that an edge lies in
 
   /** A bit for each edge: whether it is seen to be free at the turn of its first end, and at that of its second one; whether
    * both of its ends move and are not in doubt. */
@@ -42,7 +43,6 @@ class ShortEdges {
   Seen find(const uint32_t* edges, uint32_t count);
 
  private:
-  static constexpr uint32_t kMostLooks = 3;
   static constexpr uint32_t kMostPairs = 2 * kMost;
   static constexpr uint32_t kAsked = 1u << 30;  // with the number of a question that is still open
   static constexpr uint32_t kSeveral = 1u << 29;

@@ -1,0 +1,20 @@
+# dsw_read_once(LIBRARY TARGETS T... HEADERS H... [LINKS L...] [OPTIONS O...]): GCC reads the headers once for all targets that name this
+# library, which have to be compiled with the same options; the first call makes it. Only where tests and examples are compiled in batches.
+# clang reads each source by itself, so the step "clang" of tests/run.sh sees a header that is missing.
+function(dsw_read_once library)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TARGETS;HEADERS;LINKS;OPTIONS")
+  if(NOT dsw_unity_tests OR CMAKE_CROSSCOMPILING OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    return()
+  endif()
+  if(NOT TARGET ${library})
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${library}.cpp CONTENT "")
+    add_library(${library} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/${library}.cpp)
+    set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
+    target_compile_options(${library} PRIVATE ${arg_OPTIONS})
+    target_link_libraries(${library} PRIVATE ${arg_LINKS})
+    target_precompile_headers(${library} PRIVATE ${arg_HEADERS})
+  endif()
+  foreach(target IN LISTS arg_TARGETS)
+    target_precompile_headers(${target} REUSE_FROM ${library})
+  endforeach()
+endfunction()
