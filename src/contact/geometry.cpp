@@ -126,7 +126,9 @@ template <int D>
 Touch touch_of(const Environment<D>& env, const double* p, const double* to, const SweepContact& met) {
   const SweepEvent& event = met.event;
   Touch g;
-  g.time = event_time<D>(p, to, event);
+  PlaneHit<D> quick;  // of a vertex: the event's points are those of the wall
+  const bool is_quick = event.kind == EventKind::kVertex && quick_plane_hit(p, to, event.points, &quick);
+  g.time = is_quick ? quick.time : event_time<D>(p, to, event);
   point_at<D>(p, to, g.time, g.position);
   std::copy_n(g.position, D, g.point);
   const Vec move = unit(difference<D>(to, p));
@@ -150,7 +152,7 @@ Touch touch_of(const Environment<D>& env, const double* p, const double* to, con
         unit(unit(difference<D>(event.points[0], g.position)).cross(unit(difference<D>(event.points[1], g.position))));
     normal = against(!is_zero(face) ? face : Vec(-1.0 * move), move, wall);
   } else {
-    normal = wall();
+    normal = is_quick ? to_vec<D>(quick.normal) : wall();
   }
   store<D>(normal + Vec::Zero(), g.other.normal);  // never -0
   name_met(env, met, g.other);

@@ -98,16 +98,21 @@ struct FlightPoints {
 }  // namespace
 
 template <int D>
-PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept {
+bool quick_plane_hit(const double* p, const double* q, const double* const* simplex, PlaneHit<D>* hit) noexcept {
   if constexpr (D == 3) {
     CertifiedHit certified;
-    if (certified_hit(p, q, simplex, true, &certified)) {
-      PlaneHit<D> hit;
-      hit.time = certified.time;
-      point_back(certified.normal, hit.normal);
-      return hit;
-    }
+    if (!certified_hit(p, q, simplex, true, &certified)) return false;
+    hit->time = certified.time;
+    point_back(certified.normal, hit->normal);
+    return true;
   }
+  return false;
+}
+
+template <int D>
+PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept {
+  PlaneHit<D> quick;
+  if (quick_plane_hit(p, q, simplex, &quick)) return quick;
   const FlightPoints<D> flight(p, q, simplex);
   return evaluate<D>(flight.points, [](const auto& x) noexcept {
     const auto n = x.normal(2);
@@ -155,6 +160,7 @@ void unit_normal(const double* const* simplex, double* normal) noexcept {
   });
 }
 
+DSW_INSTANTIATE(quick_plane_hit);
 DSW_INSTANTIATE(plane_hit);
 DSW_INSTANTIATE(plane_hits);
 DSW_INSTANTIATE(crossing_time);

@@ -20,7 +20,7 @@ constexpr double kStandOffShare = 1e-9;
 template <int D>
 double extent(const Environment<D>& env, Cell c) {
   Box<D> box;
-  for (uint32_t i = 0, count = env.map.vertices_of(c); i < count; ++i) box.add(env.point(c, i));
+  env.map.for_each_vertex(c, [&](uint32_t v) { box.add(env.point(v)); });
   double size = 0;
   for (int k = 0; k < D; ++k) size = std::max(size, box.upper[k] - box.lower[k]);
   return size;
@@ -48,7 +48,7 @@ bool VertexMove<D>::move(uint32_t v, const double* target, const Cell* arrival) 
     }
     const double left = length(difference<D>(target, body_.position(v)));
     for (size_t i = first_contact; i < record_.contacts.size(); ++i) record_.contacts[i].distance_left = left;
-    const dsw_body_contact contact = record_.contacts[first_contact];
+    const dsw_body_contact& contact = record_.contacts[first_contact];
     const bool of_vertex = contact.edge.generation == 0 && contact.face.generation == 0;
     if (of_vertex && leave(v, contact)) return false;
     const Response response = of_vertex ? settings_.vertex : settings_.edge;

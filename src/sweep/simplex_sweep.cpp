@@ -1,30 +1,16 @@
 #include "sweep/simplex_sweep.h"
 
-#include "predicates/inside_tetrahedron.h"
+#include "walk/short_way.h"
 
 namespace dsw {
-namespace {
 
-/** Whether a point is seen to lie in a tetrahedron. */
-bool is_seen_inside(const Environment<3>& env, Cell cell, const double* point) noexcept {
-  const uint32_t* const w = env.map.record(cell);
-  if (form_of(w[0]) != Form::kSimplex) return false;
-  const double* corners[4];
-  for (int i = 0; i < 4; ++i) corners[i] = env.point(w[i] & kVertexMask);
-  return is_inside_tetrahedron(corners, point);
-}
-bool is_seen_inside(const Environment<2>&, Cell, const double*) noexcept { return false; }
-
-}  // namespace
-
-/** Most paths stay in a tetrahedron, which takes no cast to see. */
+/** Most paths end in their tetrahedron or at its wall, which takes no cast to see; with counters, a hit is a cast that counts. */
 template <int D>
 CastResult SimplexSweep<D>::cast_path(const Body<D>& body, uint32_t v, const double* to) {
   const BodyVertex<D>& at = body.vertices[v];
   CastResult path;
-  path.cell = at.cell;
   limited_ = false;
-  if (is_seen_inside(env_, at.cell, to)) return path;
+  if (ends_at_once(env_, at.cell, to, &path) && (path.end == CastEnd::kReached || counters == nullptr)) return path;
   path = cast(env_, at.position, to, at.cell, max_volumes, counters);
   limited_ = path.end == CastEnd::kWorkLimit;
   return path;

@@ -1,7 +1,9 @@
 #pragma once
-// Ways from one convex cell into another one near by, seen by planes and without a cast.
+// Ways that end in their first cell or at its wall, or lead from one convex cell into another one near by, seen by planes and without a
+// cast.
 
 #include "base/compiler.h"
+#include "predicates/inside_tetrahedron.h"
 #include "walk/cast.h"
 
 namespace dsw {
@@ -11,6 +13,33 @@ namespace dsw {
 template <int D>
 void find_outside(const Environment<D>& env, const Cell* cells, const double* const* points, uint32_t count,
                   uint8_t* facets) noexcept;
+
+/** Tells how a cast ends by the planes of the tetrahedron where it starts: it ends in there, or its end lies outside of a single
+ * facet, which is a wall. False: they do not tell. In the plane always false. */
+template <int D>
+DSW_HOT bool ends_at_once([[maybe_unused]] const Environment<D>& env, [[maybe_unused]] Cell start,
+                          [[maybe_unused]] const double* to, [[maybe_unused]] CastResult* result) noexcept {
+  if constexpr (D == 3) {
+    const Map<3>& map = env.map;
+    const uint32_t* const w = map.record(start);
+    if (form_of(w[0]) != Form::kSimplex) return false;
+    const double* corners[4];
+    for (int i = 0; i < 4; ++i) corners[i] = env.point(w[i] & kVertexMask);
+    const uint32_t facets = visible_facets(corners, to);
+    if (facets == kUncertainFacets || (facets & (facets - 1)) != 0) return false;
+    *result = {};
+    result->cell = start;
+    if (facets == 0) return true;
+    const uint32_t facet = lowest_bit(facets);
+    const HalfFacet left = map.half_facet(start, facet), beyond = map.opposite(left);
+    if (beyond.valid() && !map.facet_marked(left) && !map.marked(map.cell_of(beyond))) return false;
+    result->end = CastEnd::kHit;
+    result->facet = left;
+    result->simplex = result->first_facet = facet;
+    return true;
+  }
+  return false;
+}
 
 /** The cell behind a facet of a convex tetrahedron, pyramid or hexahedron, if that cell is convex, too, and a cast may pass
  * from one to the other both ways; else an invalid one. */

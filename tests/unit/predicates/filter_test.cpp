@@ -49,28 +49,38 @@ TEST(Filter, DecidesGenericInput) {
   EXPECT_EQ(space.ties, 0u);
 }
 
-TEST(Filter, SeesWhatIsInsideOfATetrahedron) {
+TEST(Filter, SeesWhichFacetsOfATetrahedronAreVisible) {
   constexpr int kFacets[4][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}};
   Random random(12);
   PointSet<3> s;
-  int seen = 0, inside = 0;
+  int seen = 0, inside = 0, decided = 0, clear = 0;
   for (int i = 0; i < at_least(40000); ++i) {
     draw(random, i % 2 == 0 ? Shape::kUniform : Shape::kLattice, Scale::kOne, 5, s);
     const double* corners[4] = {s.at[0], s.at[1], s.at[2], s.at[3]};
     const double* const last[3] = {corners[0], corners[1], corners[3]};
     if (exact::orient<3>(last, corners[2]) > 0) std::swap(corners[0], corners[1]);
-    bool is_inside = true;
-    for (const auto& f : kFacets) {
-      const double* const facet[3] = {corners[f[0]], corners[f[1]], corners[f[2]]};
-      is_inside = is_inside && exact::orient<3>(facet, s.at[4]) < 0;
+    uint32_t visible = 0;
+    bool is_on = false;
+    for (uint32_t f = 0; f < 4; ++f) {
+      const double* const facet[3] = {corners[kFacets[f][0]], corners[kFacets[f][1]], corners[kFacets[f][2]]};
+      const int side = exact::orient<3>(facet, s.at[4]);
+      visible |= static_cast<uint32_t>(side > 0) << f;
+      is_on = is_on || side == 0;
     }
-    const bool is_seen = is_inside_tetrahedron(corners, s.at[4]);
-    ASSERT_TRUE(is_inside || !is_seen);
-    seen += is_seen ? 1 : 0;
-    inside += is_inside ? 1 : 0;
+    const uint32_t found = visible_facets(corners, s.at[4]);
+    const bool is_decided = found != kUncertainFacets;
+    if (is_decided) {
+      ASSERT_FALSE(is_on);
+      ASSERT_EQ(found, visible);
+    }
+    seen += found == 0 ? 1 : 0;
+    inside += visible == 0 && !is_on ? 1 : 0;
+    decided += is_decided ? 1 : 0;
+    clear += is_on ? 0 : 1;
   }
   EXPECT_GT(seen, 200);
   EXPECT_GT(10 * seen, 9 * inside);
+  EXPECT_GT(10 * decided, 9 * clear);
 }
 
 struct SweptCounts {

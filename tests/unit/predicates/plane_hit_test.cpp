@@ -138,6 +138,8 @@ void check_certified(bool across_an_axis) {
     if (orient<3>(triangle, p) >= 0 || orient<3>(triangle, q) <= 0) continue;
     ++contacts;
     CertifiedHit fast, split;
+    PlaneHit<3> inwards;
+    ASSERT_FALSE(quick_plane_hit(q, p, triangle, &inwards));
     const bool is_known_free = certified_hit(p, q, triangle, true, &fast);
     ASSERT_EQ(certified_hit_without_fma(p, q, triangle, true, &split), is_known_free);
     if (!is_known_free) continue;

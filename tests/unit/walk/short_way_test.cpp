@@ -26,8 +26,9 @@ constexpr uint32_t kWays = kPacket;
 
 struct Seen {
   size_t one = 0, two = 0, open = 0, led = 0;
-  size_t far = 0;    // led on behind the next cell
-  size_t apart = 0;  // from two starts, of which one is led
+  size_t far = 0;               // led on behind the next cell
+  size_t apart = 0;             // from two starts, of which one is led
+  size_t ended = 0, walls = 0;  // at once, of which at a wall
 };
 
 uint32_t facets_outside(const Environment<3>& env, Cell cell, const double* point) {
@@ -122,6 +123,21 @@ void check_way(const Environment<3>& env, Cell cell, uint32_t facets, const doub
   }
 }
 
+void check_end(const Environment<3>& env, Cell cell, const double* from, const double* to, Seen& seen) {
+  CastResult end;
+  if (!ends_at_once(env, cell, to, &end)) return;
+  const CastResult whole = cast(env, from, to, cell);
+  EXPECT_EQ(end.end, whole.end);
+  EXPECT_EQ(end.cell, whole.cell);
+  EXPECT_EQ(end.facet, whole.facet);
+  EXPECT_EQ(end.simplex, whole.simplex);
+  EXPECT_EQ(end.previous, whole.previous);
+  EXPECT_EQ(end.volumes_visited, whole.volumes_visited);
+  EXPECT_EQ(end.first_facet, whole.first_facet);
+  ++seen.ended;
+  seen.walls += end.end == CastEnd::kHit ? 1 : 0;
+}
+
 /** Draws ways from cells that may be entered, and compares them by all walks. */
 Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
   std::uniform_real_distribution<double> somewhere(0.05, 4.95), beside(-0.8, 0.8);
@@ -138,6 +154,7 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
       for (int k = 0; k < 3; ++k) to[i][k] = from[i][k] + beside(random);
       points[i] = to[i];
     }
+    for (uint32_t i = 0; i < kWays; ++i) check_end(env, cells[i], from[i], to[i], seen);
     for (const NamedWalk& walk : walks()) {
       SCOPED_TRACE(walk.name);
       uint8_t facets[kWays];
@@ -151,6 +168,7 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
 TEST(ShortWay, IsTheWayOfACast) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
   const int rounds = effort_of(20);
+  size_t ended = 0, walls = 0;
   for (const SmallMesh& mesh :
        {lattice(5, kTetra), lattice(5, kTetra, 0.03), lattice(5, kHexahedron), pyramid_lattice(5)}) {
     SCOPED_TRACE(mesh.name);
@@ -165,7 +183,11 @@ TEST(ShortWay, IsTheWayOfACast) {
     EXPECT_GE(seen.led, seen.two / 3);
     EXPECT_GE(seen.far, seen.two / 2);
     EXPECT_GE(seen.apart, seen.two / 20);
+    ended += seen.ended;
+    walls += seen.walls;
   }
+  EXPECT_GE(walls, static_cast<size_t>(10 * rounds));
+  EXPECT_GE(ended, walls + static_cast<size_t>(4 * rounds));
 }
 
 /** Some points go so far that cells become invalid, which are walls then. */
@@ -190,6 +212,7 @@ TEST(ShortWay, IsTheWayOfACastWherePointsHaveMoved) {
     EXPECT_GT(seen.open, 0u);
     EXPECT_LT(seen.open, seen.one);
     EXPECT_GT(seen.led, 0u);
+    EXPECT_GT(seen.walls, 0u);
   }
 }
 
