@@ -48,20 +48,18 @@ void EdgeSieve<D>::measure_clearances() {
   }
 }
 
-/** Which vertices go towards the inside of a closed body: against the normals of all faces at them, where these were
- * when the move began. In doubles: what is left out by this is cast where it arrives, or listed. */
+/** Which vertices go towards the inside of a closed body. In doubles: what is left out by this is cast where it arrives, or
+ * listed. */
 template <int D>
 void EdgeSieve<D>::find_inwards() {
   const Body<D>& body = *course_.motion.body;
-  Vertex* const vertices = course_.vertices.data();
-  for (const uint32_t v : course_.order) vertices[v].inwards = vertices[v].rank != kNone;
   if constexpr (D == 3) {
     ways_.resize(4 * body.vertices.size());
-    double* const ways = ways_.data();
-    for (const uint32_t v : course_.order) {
-      store<D>(difference<D>(course_.motion.targets[v], body.position(v)), ways + 4 * size_t{v});
-    }
-    kKeepInwards(body.faces.data(), body.faces.size(), body.vertices.data(), ways, vertices);
+    const MovingSurface surface{body.faces.data(), body.faces.size(), body.vertices.data(), body.vertices.size(),
+                                course_.motion.targets};
+    kFindInwards(surface, ways_.data(), course_.vertices.data());
+  } else {
+    for (Vertex& vertex : course_.vertices) vertex.inwards = vertex.rank != kNone;
   }
 }
 

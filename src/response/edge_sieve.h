@@ -83,7 +83,7 @@ class EdgeSieve {
   uint32_t next_ = 0, count_ = 0;
   uint32_t chunk_[kChunk] = {};
   Array<double> rooms_{env_.memory};  // by vertex, if balls are kept: see room_squared
-  Array<double> ways_{env_.memory};   // by vertex, if back edges are skipped: see KeepInwards
+  Array<double> ways_{env_.memory};   // by vertex, if back edges are skipped: see FindInwards
 };
 
 }  // namespace dsw

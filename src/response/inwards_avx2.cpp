@@ -17,8 +17,18 @@ namespace {
 /** The coordinates of a vertex; what stands behind them would be a denormal number, which is slow. */
 __m256d coordinates(const BodyVertex<3>& vertex) noexcept {
   static_assert(offsetof(BodyVertex<3>, position) == 0, "coordinates come first");
-  const __m256d all = _mm256_loadu_pd(reinterpret_cast<const double*>(&vertex));
-  return _mm256_blend_pd(all, _mm256_setzero_pd(), 8);
+  return _mm256_blend_pd(_mm256_setzero_pd(), _mm256_loadu_pd(reinterpret_cast<const double*>(&vertex)), 7);
+}
+
+/** Notes which vertices move, and their ways. */
+void start(const MovingSurface& surface, double* ways, Course<3>::Vertex* turns) noexcept {
+  const __m256i three = _mm256_setr_epi64x(-1, -1, -1, 0);
+  for (size_t v = 0; v < surface.vertex_count; ++v) {
+    turns[v].inwards = turns[v].rank != kNone;
+    if (!turns[v].inwards) continue;
+    const __m256d to = _mm256_maskload_pd(surface.targets[v], three);
+    _mm256_storeu_pd(ways + 4 * v, to - coordinates(surface.vertices[v]));
+  }
 }
 
 /** y, z, x of x, y, z. */
@@ -39,10 +49,12 @@ uint32_t against(__m256d normal, const double* a, const double* b, const double*
 
 }  // namespace
 
-void keep_inwards_avx2(const BodyFace* faces, size_t count, const BodyVertex<3>* vertices, const double* ways,
-                       Course<3>::Vertex* turns) {
-  for (size_t f = 0; f < count; ++f) {
-    const uint32_t a = faces[f].corners[0], b = faces[f].corners[1], c = faces[f].corners[2];
+void find_inwards_avx2(const MovingSurface& surface, double* ways, Course<3>::Vertex* turns) {
+  start(surface, ways, turns);
+  const BodyVertex<3>* const vertices = surface.vertices;
+  for (size_t f = 0; f < surface.face_count; ++f) {
+    const uint32_t(&corners)[3] = surface.faces[f].corners;
+    const uint32_t a = corners[0], b = corners[1], c = corners[2];
     if (a == kNone) continue;
     if ((uint32_t{turns[a].inwards} | uint32_t{turns[b].inwards} | uint32_t{turns[c].inwards}) == 0) continue;
     const __m256d p = coordinates(vertices[a]), u = coordinates(vertices[b]) - p, v = coordinates(vertices[c]) - p;

@@ -19,7 +19,7 @@ using namespace dsw;
 struct Surface {
   std::vector<BodyVertex<3>> vertices;
   std::vector<BodyFace> faces;
-  std::vector<double> ways;
+  std::vector<double> targets;
   std::vector<Course<3>::Vertex> turns;
 };
 
@@ -37,10 +37,10 @@ Surface any_surface(std::mt19937& random) {
     vertex.cell = {static_cast<uint32_t>(random())};
     vertex.first_edge = static_cast<uint32_t>(random() % 4);
     made.vertices.push_back(vertex);
-    for (int k = 0; k < 3; ++k) made.ways.push_back(number());
-    made.ways.push_back(0);
+    for (int k = 0; k < 3; ++k) made.targets.push_back(number());
     Course<3>::Vertex turn;
-    turn.inwards = random() % 4 != 0;
+    if (random() % 4 != 0) turn.rank = static_cast<uint32_t>(v);
+    turn.inwards = random() % 2 != 0;  // of another move
     made.turns.push_back(turn);
   }
   for (int f = 0; f < 10; ++f) {
@@ -53,17 +53,20 @@ Surface any_surface(std::mt19937& random) {
   return made;
 }
 
-/// Whether vertex v goes against the normal of a face, in the order of operations that KeepInwards promises.
+/// Whether vertex v goes against the normal of a face, in the order of operations that FindInwards promises.
 bool goes_in(const Surface& s, const BodyFace& face, uint32_t v) {
   const double *p = s.vertices[face.corners[0]].position, *q = s.vertices[face.corners[1]].position,
-               *r = s.vertices[face.corners[2]].position, *way = &s.ways[4 * size_t{v}];
+               *r = s.vertices[face.corners[2]].position, *at = s.vertices[v].position, *to = &s.targets[3 * size_t{v}];
   const double a[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]}, b[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  const double way[3] = {to[0] - at[0], to[1] - at[1], to[2] - at[2]};
   const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
   return (way[0] * x + way[1] * y) + way[2] * z < 0;
 }
 
-std::vector<bool> told(KeepInwards keep, Surface s) {
-  keep(s.faces.data(), s.faces.size(), s.vertices.data(), s.ways.data(), s.turns.data());
+std::vector<bool> told(FindInwards find, Surface s) {
+  std::vector<double> ways(4 * s.vertices.size());
+  find({s.faces.data(), s.faces.size(), s.vertices.data(), s.vertices.size(), {s.targets.data(), 3}}, ways.data(),
+       s.turns.data());
   std::vector<bool> inwards;
   for (const Course<3>::Vertex& turn : s.turns) inwards.push_back(turn.inwards);
   return inwards;
@@ -76,18 +79,18 @@ TEST(Inwards, AreTheVerticesThatGoAgainstAllNormals) {
     const Surface surface = any_surface(random);
     std::vector<bool> wanted;
     for (uint32_t v = 0; v < surface.vertices.size(); ++v) {
-      bool in = surface.turns[v].inwards;
+      bool in = surface.turns[v].rank != kNone;
       for (const BodyFace& face : surface.faces) {
         const bool at_face = face.corners[0] == v || face.corners[1] == v || face.corners[2] == v;
         in = in && (!at_face || goes_in(surface, face, v));
       }
       wanted.push_back(in);
-      (in ? inwards : outwards) += surface.turns[v].inwards ? 1 : 0;
+      (in ? inwards : outwards) += surface.turns[v].rank != kNone ? 1 : 0;
     }
-    ASSERT_EQ(told(keep_inwards, surface), wanted) << i;
+    ASSERT_EQ(told(find_inwards, surface), wanted) << i;
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
-      ASSERT_EQ(told(keep_inwards_avx2, surface), wanted) << i;
+      ASSERT_EQ(told(find_inwards_avx2, surface), wanted) << i;
     }
 #endif
   }
