@@ -232,6 +232,7 @@ list(APPEND dsw_sources
   response/rigid_touches.cpp
   response/rigid_way.cpp
   response/short_edges.cpp
+  response/short_edges_avx2.cpp
   response/touch_record.cpp
   response/touched_planes.cpp
   response/touched_walls.cpp

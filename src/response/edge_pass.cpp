@@ -45,7 +45,7 @@ void EdgePass<D>::pass_places() {
     cast_places<Back>(sieve_.begin()[i], (seen.first >> i & 1) != 0, (seen.second >> i & 1) != 0);
   };
   for (uint32_t i = 0; i < count;) {
-    const bool may_count = plain != 0 && !seen.some_stop && doubts == casts_.doubts();
+    const bool may_count = plain != 0 && doubts == casts_.doubts();
     const uint32_t some = may_count ? std::min(count - i, casts_.room() / 2) : 0;
     if (some == 0) {
       cast(i++);

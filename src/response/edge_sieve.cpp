@@ -26,7 +26,7 @@ void EdgeSieve<D>::start(bool may_skip) {
   sees_ = D == 3 && only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
           (sweeps_.max_volumes == 0 || sweeps_.max_volumes >= ShortEdges<D>::kMostCells);
   if (sees_ || sifts_) short_.start(sees_);
-  course_.turn_words = sees_ && !sifts_ ? short_.words() : nullptr;
+  course_.turn_words = sees_ ? short_.words_now() : nullptr;
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */

@@ -2,28 +2,71 @@
 
 #include <algorithm>
 
+#include "base/processor.h"
+
 namespace dsw {
 
+namespace {
+
 template <int D>
-void ShortEdges<D>::start(bool looks) {
-  const size_t count = course_.motion.ways.size();
-  words_.resize(count);
-  const VertexWay* const ways = course_.motion.ways.data();
-  const typename Course<D>::Vertex* const turns = course_.vertices.data();
-  uint32_t* const words = words_.data();
-  uint32_t others = 0;
-  for (size_t v = 0; v < count; ++v) {
+uint32_t write_words(const Map<D>& map, const VertexWay* ways, const typename Course<D>::Vertex* turns, uint32_t count,
+                     uint32_t* words, uint32_t* in_doubt, bool* has_others) {
+  uint32_t others = 0, doubts = 0;
+  for (uint32_t v = 0; v < count; ++v) {
     const Cell from = ways[v].from;
-    const bool stays = from == ways[v].arrival && from.valid(), convex = stays && env_.map.convex(from);
+    const bool stays = from == ways[v].arrival && from.valid(), convex = stays && map.convex(from);
     words[v] = (convex ? from.unit << TurnWord::kBits | TurnWord::kStays : 0) |
                (turns[v].rank != kNone ? TurnWord::kMoves : 0) | (turns[v].doubtful ? 0 : TurnWord::kSure) |
                (turns[v].inwards ? TurnWord::kInwards : 0);
     others |= stays != convex ? 1u : 0u;
+    in_doubt[doubts] = v;
+    doubts += turns[v].doubtful ? 1 : 0;
   }
-  has_others_ = others != 0;
+  *has_others = others != 0;
+  return doubts;
+}
+
+}  // namespace
+
+uint32_t write_turn_words(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
+                          uint32_t* words, uint32_t* in_doubt, bool* has_others) {
+  return write_words<3>(map, ways, turns, count, words, in_doubt, has_others);
+}
+
+const WriteTurnWords kWriteTurnWords = DSW_WITH_AVX2(write_turn_words);
+
+template <int D>
+void ShortEdges<D>::start(bool looks) {
+  const auto count = static_cast<uint32_t>(course_.motion.ways.size());
+  words_.resize(count);
+  in_doubt_.resize(count);
+  const auto write = [] {
+    if constexpr (D == 3) {
+      return kWriteTurnWords;
+    } else {
+      return write_words<2>;
+    }
+  }();
+  const VertexWay* const ways = course_.motion.ways.data();
+  const uint32_t doubts =
+      write(env_.map, ways, course_.vertices.data(), count, words_.data(), in_doubt_.data(), &has_others_);
   if (!looks) return;
+  now_.assign(words_.begin(), words_.end());
+  for (uint32_t i = 0; i < doubts; ++i) {
+    if (!ways[in_doubt_[i]].arrival.valid()) doubt_neighbours(in_doubt_[i]);
+  }
   looked_.assign(count, kNone);
   told_.resize(count);
+}
+
+/** Those that have their turns after a vertex that does not arrive are put in doubt then. */
+template <int D>
+void ShortEdges<D>::doubt_neighbours(uint32_t v) {
+  for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
+    const uint32_t w = course_.motion.body->edges[e].other(v);
+    if (course_.vertices[w].rank > course_.vertices[v].rank) now_[w] &= ~TurnWord::kSure;
+    return true;
+  });
 }
 
 template <int D>
@@ -45,46 +88,29 @@ typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t
   return seen;
 }
 
-/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are.
- * First bits alone, as nothing is stored then. */
+/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
 template <int D>
 uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen) {
   const BodyEdge* const of = course_.motion.body->edges.data();
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   const VertexWay* const ways = course_.motion.ways.data();
-  const uint32_t* const words = words_.data();
-  uint64_t inside = 0, stay = 0, sure = 0;
-  if (D == 3 && course_.turn_words != nullptr && count != 0 && edges[count - 1] - edges[0] == count - 1) {  // in a row
-    const EdgeBits bits = kReadTurnWords(of + edges[0], count, words);
-    inside = bits.shared, stay = bits.stay, sure = bits.used & ~bits.odd;
-  } else {
-    for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t(&ends)[2] = of[edges[i]].ends;
-      const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
-      inside |= uint64_t{TurnWord::share_cell(a, b)} << i;
-      stay |= uint64_t{both / TurnWord::kStays & 1} << i;
-      const uint32_t doubt = uint32_t{vertices[ends[0]].doubtful} | uint32_t{vertices[ends[1]].doubtful};
-      sure |= uint64_t{both & (doubt ^ 1) & TurnWord::kMoves} << i;
-    }
-  }
+  const uint32_t* const words = now_.data();
+  const bool in_a_row = count != 0 && edges[count - 1] - edges[0] == count - 1;
+  const EdgeBits bits =
+      in_a_row ? kReadTurnWords(of + edges[0], count, words) : kReadNamedTurnWords(of, edges, count, words);
   uint32_t pairs = 0;
-  for (uint64_t rest = stay & ~inside; rest != 0; rest &= rest - 1) {
+  for (uint64_t rest = bits.stay & ~bits.shared; rest != 0; rest &= rest - 1) {
     const uint32_t i = lowest_bit(rest);
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
     pairs_[pairs++] = {ends[k], words[ends[1 - k]] >> TurnWord::kBits, static_cast<uint8_t>(i), kFirst | kSecond};
   }
-  seen = {inside, inside, sure, false};
-  for (uint64_t rest = ~stay & (count == kMost ? ~uint64_t{0} : (uint64_t{1} << count) - 1); rest != 0;
-       rest &= rest - 1) {
+  seen = {bits.shared, bits.shared, bits.used & ~bits.odd};
+  for (uint64_t rest = bits.used & ~bits.stay; rest != 0; rest &= rest - 1) {
     const uint32_t i = lowest_bit(rest);
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
-    if (ways[ends[k]].arrival.valid()) {
-      pairs = add_turns(edges, i, pairs, seen);
-    } else {
-      seen.some_stop = true;
-    }
+    if (ways[ends[k]].arrival.valid()) pairs = add_turns(edges, i, pairs, seen);
   }
   return pairs;
 }

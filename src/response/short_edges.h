@@ -7,6 +7,22 @@
 
 namespace dsw {
 
+/** A function of this type writes the words of so many vertices, and the numbers of those that are in doubt. Returns how many of
+ * these there are.
+ * @param has_others whether a vertex stays in a cell that is not convex. */
+using WriteTurnWords = uint32_t (*)(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns,
+                                    uint32_t count, uint32_t* words, uint32_t* in_doubt, bool* has_others);
+
+/** The fastest of this processor; all give the same bits. */
+extern const WriteTurnWords kWriteTurnWords;
+
+uint32_t write_turn_words(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
+                          uint32_t* words, uint32_t* in_doubt, bool* has_others);
+#if DSW_X86_64
+uint32_t write_turn_words_avx2(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
+                               uint32_t* words, uint32_t* in_doubt, bool* has_others);
+#endif
+
 /** Sees edges that stay in one convex cell [JCD10] 6.1, or lie in a few convex cells one after the other.
  *
  * The end v that goes first is at its target both times that an edge is tested: before and after the turn of the other end, w.
@@ -22,10 +38,9 @@ class ShortEdges {
   static constexpr uint32_t kMostCells = 1 + kMostLooks + kMostFurtherLooks;  // that an edge lies in
 
   /** A bit for each edge: whether it is seen to be free at the turn of its first end, and at that of its second one; whether
-   * both of its ends move and are not in doubt. */
+   * both of its ends move, and none is in doubt or will be as a neighbour does not arrive. */
   struct Seen {
     uint64_t first = 0, second = 0, sure = 0;
-    bool some_stop = false;  // a first end does not arrive
   };
 
   ShortEdges(const Environment<D>& env, const Course<D>& course) : env_(env), course_(course) {}
@@ -33,9 +48,10 @@ class ShortEdges {
   /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
    * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
   void start(bool looks);
-  /** A word for each vertex, as it was at the start unless the course writes what has been put in doubt. */
+  /** A word for each vertex, as it was at the start. */
   const uint32_t* words() const { return words_.data(); }
-  uint32_t* words() { return words_.data(); }
+  /** The words as they are now: the course writes what has been put in doubt. Only if cells are looked at. */
+  uint32_t* words_now() { return now_.data(); }
   static_assert(kMostUnits <= uint64_t{1} << (32 - TurnWord::kBits), "a unit has room above the bits");
   /** Whether a vertex stays in a cell that is not convex. */
   bool has_others() const { return has_others_; }
@@ -61,6 +77,7 @@ class ShortEdges {
     Cell cell;
   };
 
+  void doubt_neighbours(uint32_t v);
   uint32_t gather(const uint32_t* edges, uint32_t count, Seen& seen);
   uint32_t add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen);
   void ask(uint32_t pairs);
@@ -70,9 +87,11 @@ class ShortEdges {
   const Environment<D>& env_;
   const Course<D>& course_;
   bool has_others_ = false;
-  Array<uint32_t> words_{env_.memory};   // by vertex
-  Array<uint32_t> looked_{env_.memory};  // by vertex: the cell that was last looked at for its target; kNone: none
-  Array<Told> told_{env_.memory};        // by vertex: of that cell
+  Array<uint32_t> words_{env_.memory};     // by vertex
+  Array<uint32_t> now_{env_.memory};       // by vertex
+  Array<uint32_t> in_doubt_{env_.memory};  // vertices, at the start
+  Array<uint32_t> looked_{env_.memory};    // by vertex: the cell that was last looked at for its target; kNone: none
+  Array<Told> told_{env_.memory};          // by vertex: of that cell
   Pair pairs_[kMostPairs];
   Told of_pairs_[kMostPairs];
   uint32_t askers_[kMostPairs];  // of each question: the vertex

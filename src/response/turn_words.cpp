@@ -5,14 +5,17 @@
 
 namespace dsw {
 
+namespace {
+
 /** Without branches on what is found, which would be mispredicted for every other edge. */
-EdgeBits read_turn_words(const BodyEdge* edges, uint32_t count, const uint32_t* words) {
+template <class Edge>
+EdgeBits read_words(Edge edge, uint32_t count, const uint32_t* words) {
   constexpr uint32_t kPlain = TurnWord::kMoves | TurnWord::kSure;
   EdgeBits bits;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t v = edges[i].ends[0];
-    if (v == kNone) continue;
-    const uint32_t a = words[v], b = words[edges[i].ends[1]], both = a & b;
+    const uint32_t(&ends)[2] = edge(i).ends;
+    if (ends[0] == kNone) continue;
+    const uint32_t a = words[ends[0]], b = words[ends[1]], both = a & b;
     bits.used |= uint64_t{1} << i;
     bits.shared |= uint64_t{TurnWord::share_cell(a, b)} << i;
     bits.stay |= uint64_t{both / TurnWord::kStays & 1} << i;
@@ -22,6 +25,17 @@ EdgeBits read_turn_words(const BodyEdge* edges, uint32_t count, const uint32_t* 
   return bits;
 }
 
+}  // namespace
+
+EdgeBits read_turn_words(const BodyEdge* edges, uint32_t count, const uint32_t* words) {
+  return read_words([&](uint32_t i) -> const BodyEdge& { return edges[i]; }, count, words);
+}
+
+EdgeBits read_named_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words) {
+  return read_words([&](uint32_t i) -> const BodyEdge& { return edges[names[i]]; }, count, words);
+}
+
 const ReadTurnWords kReadTurnWords = DSW_WITH_AVX2(read_turn_words);
+const ReadNamedTurnWords kReadNamedTurnWords = DSW_WITH_AVX2(read_named_turn_words);
 
 }  // namespace dsw

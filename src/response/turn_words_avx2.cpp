@@ -17,10 +17,25 @@ constexpr uint32_t kLanes = 8;
 /** Gives the highest bit of each of eight lanes. */
 uint64_t signs(__m256i lanes) noexcept { return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes))); }
 
-/** The words of the same end of eight edges. */
-__m256i words_of(const BodyEdge* e, uint32_t end, const uint32_t* words) noexcept {
-  const auto word = [&](uint32_t i) { return static_cast<int>(words[e[i].ends[end]]); };
-  return _mm256_setr_epi32(word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7));
+/** What the words of both ends of eight edges tell; edge(i) is one of them. */
+template <class Edge>
+EdgeBits read_eight(Edge edge, const uint32_t* words) noexcept {
+  static_assert(TurnWord::kMoves == 1 && TurnWord::kSure == 2 && TurnWord::kInwards == 4 && TurnWord::kStays == 8 &&
+                    TurnWord::kBits == 4,
+                "the shifts below bring these bits to the top");
+  const auto words_of = [&](uint32_t end) {
+    const auto word = [&](uint32_t i) { return static_cast<int>(words[edge(i).ends[end]]); };
+    return _mm256_setr_epi32(word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7));
+  };
+  const __m256i a = words_of(0), b = words_of(1), both = a & b;
+  const __m256i same = _mm256_cmpeq_epi32(_mm256_srli_epi32(a ^ b, 4), _mm256_setzero_si256());
+  EdgeBits bits;
+  bits.used = 0xff;
+  bits.stay = signs(_mm256_slli_epi32(both, 28));
+  bits.shared = signs(same) & bits.stay;
+  bits.inwards = signs(_mm256_slli_epi32(both, 29));
+  bits.odd = signs(_mm256_slli_epi32(both, 31) & _mm256_slli_epi32(both, 30)) ^ 0xff;
+  return bits;
 }
 
 /** Whether none of eight edges is a free slot; false also where vertices have very high numbers. */
@@ -39,30 +54,32 @@ void add(const EdgeBits& some, uint32_t place, EdgeBits& bits) noexcept {
   bits.odd |= some.odd << place;
 }
 
+/** Where the next eight of so many edges begin; the last eight are some of them once more. */
+constexpr uint32_t first_of_eight(uint32_t next, uint32_t count) {
+  return next + kLanes <= count ? next : count - kLanes;
+}
+
 }  // namespace
 
 EdgeBits read_turn_words_avx2(const BodyEdge* edges, uint32_t count, const uint32_t* words) {
-  static_assert(TurnWord::kMoves == 1 && TurnWord::kSure == 2 && TurnWord::kInwards == 4 && TurnWord::kStays == 8 &&
-                    TurnWord::kBits == 4,
-                "the shifts below bring these bits to the top");
   EdgeBits bits;
   if (count < kLanes) return read_turn_words(edges, count, words);
   for (uint32_t next = 0; next < count; next += kLanes) {
-    const uint32_t i = next + kLanes <= count ? next : count - kLanes;  // the last eight, some of them once more
+    const uint32_t i = first_of_eight(next, count);
     const BodyEdge* const some = edges + i;
-    if (!are_used(some)) {
-      add(read_turn_words(some, kLanes, words), i, bits);
-      continue;
-    }
-    const __m256i a = words_of(some, 0, words), b = words_of(some, 1, words), both = a & b;
-    const __m256i same = _mm256_cmpeq_epi32(_mm256_srli_epi32(a ^ b, 4), _mm256_setzero_si256());
-    const uint64_t plain = signs(_mm256_slli_epi32(both, 31) & _mm256_slli_epi32(both, 30));
-    bits.used |= uint64_t{0xff} << i;
-    const uint64_t stay = signs(_mm256_slli_epi32(both, 28));
-    bits.stay |= stay << i;
-    bits.shared |= (signs(same) & stay) << i;
-    bits.inwards |= signs(_mm256_slli_epi32(both, 29)) << i;
-    bits.odd |= (plain ^ 0xff) << i;
+    const auto edge = [&](uint32_t lane) -> const BodyEdge& { return some[lane]; };
+    add(are_used(some) ? read_eight(edge, words) : read_turn_words(some, kLanes, words), i, bits);
+  }
+  return bits;
+}
+
+EdgeBits read_named_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count,
+                                    const uint32_t* words) {
+  EdgeBits bits;
+  if (count < kLanes) return read_named_turn_words(edges, names, count, words);
+  for (uint32_t next = 0; next < count; next += kLanes) {
+    const uint32_t i = first_of_eight(next, count);
+    add(read_eight([&](uint32_t lane) -> const BodyEdge& { return edges[names[i + lane]]; }, words), i, bits);
   }
   return bits;
 }
