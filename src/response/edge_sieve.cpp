@@ -15,7 +15,7 @@ template <int D>
 void EdgeSieve<D>::start(bool may_skip) {
   const Skipping& skipping = course_.motion.body->skipping;
   may_skip_ = may_skip;
-  next_ = count_ = 0;
+  next_ = count_ = over_ = 0;
   if (skipping.by_clearance) measure_clearances();
   if (may_skip && skipping.back_edges) find_inwards();
   const bool only_places = !sweeps_edges(course_.motion.body->level) && !course_.motion.body->keeps_corridors();
@@ -66,7 +66,7 @@ void EdgeSieve<D>::find_inwards() {
 template <int D>
 bool EdgeSieve<D>::next() {
   const Skipping& skipping = course_.motion.body->skipping;
-  if (next_ >= course_.motion.body->edges.size()) return false;
+  if (next_ >= course_.motion.body->edges.size() && over_ == 0) return false;
   if (sifts_) {
     sift();
   } else {
@@ -81,21 +81,26 @@ bool EdgeSieve<D>::next() {
 }
 
 /** Gathers a chunk without the edges that stay in one convex cell [JCD10] 6.1, which need no cast, and without those that
- * go towards the inside 6.2: these are cast where they arrive, or left. At EDGES, where no corridors are kept. */
+ * go towards the inside 6.2: these are cast where they arrive, or left. At EDGES, where no corridors are kept. What is kept of the
+ * last block beyond a full chunk is left for the next one. */
 template <int D>
 void EdgeSieve<D>::sift() {
   const Body<D>& body = *course_.motion.body;
   const bool skips_back = may_skip_ && body.skipping.back_edges, leaves = skips_back && body.skipping.leaves_back_edges;
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
-  count_ = 0;
-  do {
+  std::copy_n(chunk_ + kChunk, over_, chunk_);
+  uint32_t kept = over_;
+  while (next_ < size && kept < kChunk) {
     const uint32_t first = next_;
-    next_ = std::min(first + kChunk - count_, size);
+    next_ = std::min(first + kChunk, size);
     const Sifted block = sift_block(first, next_ - first, skips_back);
-    for (uint64_t rest = block.kept; rest != 0; rest &= rest - 1) chunk_[count_++] = first + lowest_bit(rest);
+    for (uint64_t rest = block.kept; rest != 0; rest &= rest - 1) chunk_[kept++] = first + lowest_bit(rest);
     count_sifted(first, block, leaves);
     if (skips_back && !leaves) cast_where_they_arrive(first, block.back);
-  } while (fills_ && next_ < size && kChunk - count_ >= kLeastBlock);
+    if (!fills_) break;
+  }
+  count_ = std::min(kept, kChunk);
+  over_ = kept - count_;
 }
 
 /** What becomes of so many edges, at most a chunk: bits alone, as nothing is stored then. Edges with an end that does not move,

@@ -40,7 +40,7 @@ class EdgeSieve {
   }
 
  private:
-  static constexpr uint32_t kChunk = 64, kLeastBlock = 16;
+  static constexpr uint32_t kChunk = 64;
   using Vertex = typename Course<D>::Vertex;
 
   void measure_clearances();
@@ -81,7 +81,8 @@ class EdgeSieve {
   bool fills_ = false;  // and a chunk is filled, since edges that are dropped are not cast in between
   bool sees_ = false;   // edges may be free that are seen to be
   uint32_t next_ = 0, count_ = 0;
-  uint32_t chunk_[kChunk] = {};
+  uint32_t over_ = 0;  // edges behind the chunk, for the next one
+  uint32_t chunk_[2 * kChunk] = {};
   Array<double> rooms_{env_.memory};  // by vertex, if balls are kept: see room_squared
   Array<double> ways_{env_.memory};   // by vertex, if back edges are skipped: see FindInwards
 };
