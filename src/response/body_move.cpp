@@ -45,6 +45,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     const bool may_skip =
         (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
     leaves_ = may_skip && skipping.leaves_back_edges;
+    tested_.assign(leaves_ ? body.edges.size() : 0, 0);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -230,30 +231,39 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
 }
 
 /** Before a vertex moves alone: which of its edges are free where they are. Those that are not meet nothing. What was found
- * out of edges whose other ends have their turns later counts again when this one is over. Such an edge is free where it is if it was so
- * before the move, and the move has changed no edge.
+ * out of edges whose other ends have their turns later counts again when this one is over. If the move has changed no edge, an edge is
+ * free where it is if it was so before the move and its other end has not moved, or if it was tested at the turn of its other end,
+ * which either had no doubt or moved alone from where the edge was free.
  * @param is_pass of further passes: all have had their turns. */
 template <int D>
 void BodyMove<D>::test_untested(uint32_t v, bool is_pass, const MoveRecord& record) {
   const Body<D>& body = *course_.motion.body;
   left_.clear();
   known_free_.clear();
+  const bool may_know = !is_pass && record.edits.empty(), tests_turns = !body.skipping.by_similar_motion;
   for_each_edge(body, v, [&](uint32_t e) {
     const uint32_t w = body.edges[e].other(v);
-    const bool is_later = !is_pass && w < course_.vertices.size() && course_.moves(w) &&
-                          course_.vertices[w].rank > course_.vertices[v].rank;
-    if (is_later) left_.push_back({e, body.untested[e]});
-    if (is_later && record.edits.empty() && untested_[e] == 0) known_free_.push_back(e);
+    if (is_pass || w >= course_.vertices.size()) return true;
+    const auto& other = course_.vertices[w];
+    const bool has_moved = other.rank < course_.vertices[v].rank,
+               is_back = other.inwards && body.edges[e].faces[1] != kNone;
+    if (!has_moved && other.rank != kNone) left_.push_back({e, body.untested[e]});
+    const bool is_tested = tested_[e] != 0 || (tests_turns && !other.doubtful && !is_back);
+    const bool is_free = has_moved ? is_tested : untested_[e] == 0;
+    if (may_know && is_free) known_free_.push_back(e);
     return true;
   });
   casts_.test_star(v, known_free_);
 }
 
+/** After a vertex has moved alone: notes which of its edges to later vertices are free, and what is known of them at the turns of these. */
 template <int D>
 void BodyMove<D>::keep_untested() {
   Body<D>& body = *course_.motion.body;
   for (const Left& each : left_) {
-    if (body.has_edge(each.edge)) body.untested[each.edge] = each.untested;
+    if (!body.has_edge(each.edge)) continue;
+    if (each.edge < tested_.size()) tested_[each.edge] = body.untested[each.edge] == 0 ? 1 : 0;
+    body.untested[each.edge] = each.untested;
   }
 }
 

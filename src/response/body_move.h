@@ -80,7 +80,8 @@ class BodyMove {
     uint32_t edge;
     uint8_t untested;
   };
-  Array<Left> left_{env_.memory};  // edges of a vertex that moves alone, whose other ends have their turns later
+  Array<uint8_t> tested_{env_.memory};  // by edge: it was free after its earlier end had moved alone
+  Array<Left> left_{env_.memory};       // edges of a vertex that moves alone, whose other ends have their turns later
   Array<uint32_t> known_free_{env_.memory};   // edges of left_ that are known to be free where they are
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<BodyVertex<D>> here_{env_.memory};    // where a step began

@@ -87,7 +87,7 @@ bool CourseCasts<D>::visit_blocked(uint32_t v, Asks asks, Visit visit) {
     if (!asks(e)) return true;
     const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
     edges_[packet_.count()] = e;
-    packet_.add(env_, at.cell, at.position, other.position).end = other.cell;
+    packet_.add_between(env_, at.cell, at.position, other.cell, other.position, 0);
     if (packet_.full()) run_some();
     return go_on;
   });
