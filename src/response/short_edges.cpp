@@ -59,7 +59,7 @@ void ShortEdges<D>::start(bool looks) {
   told_.resize(count);
 }
 
-/** Those that have their turns after a vertex that does not arrive are put in doubt then. */
+/** Notes that neighbours which have their turns after a vertex that does not arrive will be in doubt. */
 template <int D>
 void ShortEdges<D>::doubt_neighbours(uint32_t v) {
   for_each_edge(*course_.motion.body, v, [&](uint32_t e) {

@@ -29,7 +29,7 @@ using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, uint32_t count, const 
 /** The fastest of this processor; all give the same bits. */
 extern const ReadTurnWords kReadTurnWords;
 
-/** The same of edges that are named by their numbers, none of which is a free slot. */
+/** Reads them of edges that are named by their numbers, none of which is a free slot. */
 using ReadNamedTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count,
                                         const uint32_t* words);
 extern const ReadNamedTurnWords kReadNamedTurnWords;
