@@ -35,7 +35,7 @@ template <int D>
 void MovingPoints<D>::take_back() noexcept {
   if (!way_.has_begun()) return;
   for (size_t i = 0; i < touched_.size(); ++i) {
-    std::copy_n(&targets_[D * i], D, way_.next(touched_[i]));
+    std::copy_n(targets_[i].at, D, way_.next(touched_[i]));
     place_[touched_[i]] = kUntouched;
   }
   touched_.clear();
@@ -46,21 +46,21 @@ void MovingPoints<D>::take_back() noexcept {
 
 template <int D>
 void MovingPoints<D>::touch(uint32_t v, double fraction) {
-  if (is_touched(v)) return;
-  const double* const target = way_.next(v);
-  if (!is_finite<D>(target)) fail_non_finite({way_.nexts(), D}, v, D, {"next", true});
+  double* const place = way_.next(v);
+  if (!is_finite<D>(place)) fail_non_finite({way_.nexts(), D}, v, D, {"next", true});
+  Target target;
+  std::copy_n(place, D, target.at);
   reserve_more(touched_, 1);
-  reserve_more(targets_, D);
-  targets_.insert(targets_.end(), target, target + D);
+  targets_.push_back(target);
   place_[v] = static_cast<uint32_t>(touched_.size());
   touched_.push_back(v);
-  at(v, fraction, way_.next(v));
+  point_on_way<D>(way_.start(v), target.at, fraction, place);
   env_.note_move();
 }
 
 template <int D>
 void MovingPoints<D>::at(uint32_t v, double fraction, double* out) const noexcept {
-  point_on_way<D>(way_.start(v), &targets_[size_t{D} * place_[v]], fraction, out);
+  point_on_way<D>(way_.start(v), targets_[place_[v]].at, fraction, out);
 }
 
 template <int D>

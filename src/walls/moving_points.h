@@ -22,8 +22,8 @@ class MovingPoints {
   void take_back() noexcept;
 
   bool is_touched(uint32_t v) const noexcept { return place_[v] != kUntouched; }
-  /** Puts a vertex to where it is at a fraction of the way, from where on it is moved by hand. Throws std::bad_alloc,
-   * and NON_FINITE for a target that is not. */
+  /** Puts a vertex that is not touched to where it is at a fraction of the way, from where on it is moved by hand.
+   * Throws std::bad_alloc, and NON_FINITE for a target that is not. */
   void touch(uint32_t v, double fraction);
   const Array<uint32_t>& touched() const noexcept { return touched_; }
   /** Place of a touched vertex in that. */
@@ -32,9 +32,7 @@ class MovingPoints {
   void at(uint32_t v, double fraction, double* out) const noexcept;
   /** Where the way of a vertex begins, and where it ends. */
   const double* start(uint32_t v) const noexcept { return way_.start(v); }
-  const double* target(uint32_t v) const noexcept {
-    return is_touched(v) ? &targets_[size_t{D} * place_[v]] : way_.next(v);
-  }
+  const double* target(uint32_t v) const noexcept { return is_touched(v) ? targets_[place_[v]].at : way_.next(v); }
   void put(uint32_t v, const double* position) noexcept;
   /** Puts all that are not touched to where they are at a fraction of the way. O(points). */
   void shorten(double fraction) noexcept;
@@ -43,12 +41,15 @@ class MovingPoints {
 
  private:
   static constexpr uint32_t kUntouched = 0xffffffffu;
+  struct Target {
+    double at[D];
+  };
 
   Environment<D>& env_;
   PointsWay<D> way_;
   Array<uint32_t> place_{env_.memory};  // by vertex: its place in touched_
   Array<uint32_t> touched_{env_.memory};
-  Array<double> targets_{env_.memory};  // of those
+  Array<Target> targets_{env_.memory};  // of those
 };
 
 }  // namespace dsw

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/slot_pool.h"
 #include "base/sort.h"
 #include "sweep/body_probe.h"
 
@@ -87,7 +88,7 @@ const Array<Cell>& Neighbourhood<D>::find_star(uint32_t v) {
   is_star_passable_ = !near.has_walls;
   for (uint32_t n = near.first_cell; n != kNone; n = cells_[n].next) {
     star_.push_back(cells_[n].cell);
-    is_star_passable_ = is_star_passable_ && cells_[n].explored;
+    is_star_passable_ = is_star_passable_ && (near.is_explored || cells_[n].explored);
   }
   return star_;
 }
@@ -282,6 +283,7 @@ void Neighbourhood<D>::add_cell(Cell c) {
     Near& near = near_[points_.place(v)];
     near_count_ += near.is_near ? 0 : 1;
     near.is_near = true;
+    if (near.is_explored) continue;
     uint32_t n = near.first_cell;
     while (cells_[n].cell != c) n = cells_[n].next;
     if (!cells_[n].explored) explore(v, c);
@@ -294,12 +296,15 @@ bool Neighbourhood<D>::open(Cell c) {
   const uint32_t index = env_.map.index(c);
   if (env_.checked.is_open(index)) return false;
   open_.push_back(c);
+  reserve_more(cells_, env_.map.vertices_of(c));
   env_.map.for_each_vertex(c, [&](uint32_t v) {
     if (!points_.is_touched(v)) {
       points_.touch(v, fraction_);
-      near_.resize(points_.touched().size());
+      near_.push_back({});
     }
     Near& near = near_[points_.place(v)];
+    near.is_explored = false;
+    ++near.open_count;
     cells_.push_back({c, near.first_cell, false});
     near.first_cell = static_cast<uint32_t>(cells_.size() - 1);
   });
@@ -315,6 +320,8 @@ void Neighbourhood<D>::explore(uint32_t v, Cell c) {
   const bool passable = for_each_cell_at_vertex(env_.map, v, around_, [&](Cell at) { open(at); });
   Near& near = near_[points_.place(v)];
   near.has_walls = near.has_walls || !passable;
+  near.is_explored = near.open_count == around_.size();
+  if (near.is_explored) return;
   for (uint32_t n = near.first_cell; n != kNone; n = cells_[n].next) {
     cells_[n].explored = cells_[n].explored || around_.contains(cells_[n].cell);
   }

@@ -62,9 +62,11 @@ class Neighbourhood {
   /** A touched vertex. */
   struct Near {
     uint32_t first_cell = kNone;  // of the open ones that have it, in cells_
+    uint32_t open_count = 0;      // of these
     uint32_t step = 0;            // the last that it had its turn in
     bool is_near = false;
-    bool has_walls = false;  // among the explored cells that have it, or their facets at it
+    bool is_explored = false;  // all of its open cells can be reached from one of them, and no others
+    bool has_walls = false;    // among the explored cells that have it, or their facets at it
   };
   struct CellNode {
     Cell cell;
