@@ -2,7 +2,7 @@
 # Rapier in JavaScript (rapier3d-compat) and bodies of five kinds that fall slowly on grounds of four kinds.
 # One would guess that each body lies on each ground, or that a pair without a contact is an error: balls, cuboids and hulls lie on all four.
 # What happens: a body of voxels falls through a mesh and a height field, and a mesh of triangles falls through a height field and through voxels, as if they
-# were air. The same bodies lie on cuboids, mesh on mesh and voxels on voxels. There is no warning, and no contact is reported.
+# were air. The same bodies lie on cuboids, mesh on mesh and voxels on voxels. There is no warning.
 # Who meets it: whoever drops parts that are not convex, as meshes or voxels, on terrain, or digs and builds in voxels with tools that are meshes.
 # Needs node and npm.
 set -eu
