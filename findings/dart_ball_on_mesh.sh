@@ -25,13 +25,13 @@ with open("table.obj", "w") as file:
     file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
 
 
-def thing(shape, height):
+def thing(shape, place):
     inertia = '<inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/>'
     path = os.path.abspath("thing.urdf")
     with open(path, "w") as file:
         file.write(f'<robot name="r"><link name="l"><inertial><mass value="1"/>{inertia}</inertial><collision><geometry>{shape}</geometry></collision></link></robot>')
     skeleton = dart.utils.DartLoader().parseSkeleton(path)
-    skeleton.setPositions([0, 0, 0, *height])
+    skeleton.setPositions([0, 0, 0, *place])
     return skeleton
 
 

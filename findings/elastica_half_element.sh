@@ -4,7 +4,8 @@
 # What happens: each element reaches from its centre to half an element past its end. So at the start of the rod, for half an element less the reach of the
 # ball, there is no contact, and past the end, for half an element, there is one with the full force where there is no rod. RodCylinderContact does the same;
 # RodRodContact does not. No warning is given. Finer rods make both gaps smaller.
-# Who meets it: whoever lets the tip of a rod, such as a catheter or an arm, touch a ball or a post, or takes few elements: the base end passes through.
+# Who meets it: whoever lets the tip of a rod, such as a catheter or an arm, touch a ball or a post, or takes few elements. What meets the base end passes
+# through it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -11,10 +11,12 @@ build_shared() {
     -DDSW_PYTHON_SHARED=ON -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" && cmake --build build/python/shared
 }
 build_shared >build/python/shared.log 2>&1 &
+build=$!
+trap 'kill "$build" 2>/dev/null || true' EXIT
 
 export DARTSWEEP_OTHER_VTK=$PWD/build/python/vtk-9.6.2
 "$python" -m pytest bindings/python --junitxml="$tests"
-wait $! || { tail -n 20 build/python/shared.log >&2; exit 1; }
+wait "$build" || { tail -n 20 build/python/shared.log >&2; exit 1; }
 DARTSWEEP_LIBRARY=$PWD/build/dartsweep/lib/libdartsweep.so PYTHONPATH=$PWD/build/python/shared "$python" -m pytest -p no:cacheprovider \
   bindings/python/tests/test_{shared,scenario,ids,ownership,together,rod,near,errors}.py
 for example in "$PWD"/bindings/python/examples/*.py; do (cd build/python && "$python" "$example"); done # one leaves a picture

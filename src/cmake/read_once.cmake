@@ -1,6 +1,7 @@
-# dsw_read_once(LIBRARY TARGETS T... HEADERS H... [LINKS L...] [OPTIONS O...]): GCC reads the headers once for all targets that name this
-# library, which have to be compiled with the same options; the first call makes it. Only where tests and examples are compiled in batches.
-# clang reads each source by itself, so the step "clang" of tests/run.sh sees a header that is missing.
+# dsw_read_once(LIBRARY TARGETS T... HEADERS H... [LINKS L...] [OPTIONS O...])
+# Lets GCC read HEADERS once for all TARGETS that name LIBRARY. The first call makes LIBRARY, by HEADERS, LINKS and OPTIONS, which later calls
+# repeat; its targets must be compiled with the same options. Does nothing unless tests and examples are compiled in batches. clang reads each
+# source by itself, so `tests/run.sh clang` sees a header that is missing.
 function(dsw_read_once library)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "TARGETS;HEADERS;LINKS;OPTIONS")
   if(NOT dsw_unity_tests OR CMAKE_CROSSCOMPILING OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

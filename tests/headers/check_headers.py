@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compiles every public header alone, and twice in a row, in the oldest version of each language that a host may use, and the header that
-has them all in every version: what a header lacks alone does not depend on the version, but that newer ones include more by themselves.
+has them all in every version. What a header lacks does not depend on the version, except that newer standard headers include more. So the
+oldest version is the strictest.
 
 usage: check_headers.py INCLUDE_DIR C_COMPILER CXX_COMPILER
        check_headers.py --self-test C_COMPILER CXX_COMPILER

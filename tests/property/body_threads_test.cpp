@@ -95,7 +95,8 @@ std::vector<std::string> answers(const std::string& name, dsw_context* context, 
 class BodyThreadsTest : public SceneTest {};
 INSTANTIATE_TEST_SUITE_P(Some, BodyThreadsTest,
                          testing::ValuesIn(drawn_for("BodyThreadsTest",
-                                                     {"hex", "hex_warped", "tet_lattice", "mixed", "polyhedra"})),
+                                                     std::vector<std::string>{"hex", "hex_warped", "tet_lattice",
+                                                                              "mixed", "polyhedra"})),
                          [](const testing::TestParamInfo<std::string>& i) { return i.param; });
 
 TEST_P(BodyThreadsTest, TogetherIsTheSameAsOneByOneForAnyThreads) {

@@ -194,19 +194,22 @@ TEST_P(WholeTest, AMoveOfAllVerticesHasTheBitsOfOneAfterTheOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, WholeTest,
-                         testing::Values(Tangle{"Rope", DSW_LEVEL_EDGES, 0, 0.1, false},
-                                         Tangle{"FastRope", DSW_LEVEL_EDGES_SWEPT, 0, 0.8, false},
-                                         Tangle{"SlowRope", DSW_LEVEL_EDGES, 0, 0.02, false},
-                                         Tangle{"LatticeRope", DSW_LEVEL_EDGES, 0, 0.125, true},
-                                         Tangle{"FastLatticeRope", DSW_LEVEL_EDGES_SWEPT, 0, 0.25, true},
-                                         Tangle{"Tree", DSW_LEVEL_EDGES, 1, 0.1, false},
-                                         Tangle{"LatticeTree", DSW_LEVEL_EDGES_SWEPT, 1, 0.125, true},
-                                         Tangle{"ClosedRope", DSW_LEVEL_EDGES, 3, 0.1, false},
-                                         Tangle{"UnevenRope", DSW_LEVEL_EDGES, 4, 0.1, false},
-                                         Tangle{"Strip", DSW_LEVEL_EDGES, 2, 0.2, false},
-                                         Tangle{"Surface", DSW_LEVEL_FACES, 2, 0.2, false},
-                                         Tangle{"TinyRope", DSW_LEVEL_EDGES, 0, 0.1, false, -300},
-                                         Tangle{"LargeRope", DSW_LEVEL_EDGES, 0, 0.1, false, 300}),
+                         testing::ValuesIn(drawn_for("WholeTest",
+                                                     std::vector<Tangle>{
+                                                         {"Rope", DSW_LEVEL_EDGES, 0, 0.1, false},
+                                                         {"FastRope", DSW_LEVEL_EDGES_SWEPT, 0, 0.8, false},
+                                                         {"SlowRope", DSW_LEVEL_EDGES, 0, 0.02, false},
+                                                         {"LatticeRope", DSW_LEVEL_EDGES, 0, 0.125, true},
+                                                         {"FastLatticeRope", DSW_LEVEL_EDGES_SWEPT, 0, 0.25, true},
+                                                         {"Tree", DSW_LEVEL_EDGES, 1, 0.1, false},
+                                                         {"LatticeTree", DSW_LEVEL_EDGES_SWEPT, 1, 0.125, true},
+                                                         {"ClosedRope", DSW_LEVEL_EDGES, 3, 0.1, false},
+                                                         {"UnevenRope", DSW_LEVEL_EDGES, 4, 0.1, false},
+                                                         {"Strip", DSW_LEVEL_EDGES, 2, 0.2, false},
+                                                         {"Surface", DSW_LEVEL_FACES, 2, 0.2, false},
+                                                         {"TinyRope", DSW_LEVEL_EDGES, 0, 0.1, false, -300},
+                                                         {"LargeRope", DSW_LEVEL_EDGES, 0, 0.1, false, 300}},
+                                                     8)),
                          testing::PrintToStringParamName());
 
 /// Random edges, of which some have a vertex in common.

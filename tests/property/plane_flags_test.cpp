@@ -170,6 +170,6 @@ std::vector<Case> all_cases() {
   }
   return cases;
 }
-INSTANTIATE_TEST_SUITE_P(All, PlaneFlags, testing::ValuesIn(all_cases()));
+INSTANTIATE_TEST_SUITE_P(All, PlaneFlags, testing::ValuesIn(drawn_for("PlaneFlags", all_cases(), 8)));
 
 }  // namespace

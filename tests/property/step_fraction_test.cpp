@@ -191,7 +191,7 @@ TEST_P(StepFractionTest, TheLargestFreeFraction) {
   EXPECT_GT(stops, asked / 20);
 }
 
-constexpr StepKind kStepKinds[] = {
+const std::vector<StepKind> kStepKinds = {
     {"points_in_the_plane", 2, DSW_LEVEL_POINTS, false},
     {"edges_in_the_plane", 2, DSW_LEVEL_EDGES_SWEPT, false},
     {"edges", 3, DSW_LEVEL_EDGES, false},
@@ -200,7 +200,7 @@ constexpr StepKind kStepKinds[] = {
     {"walls", 3, DSW_LEVEL_FACES, true},
 };
 
-INSTANTIATE_TEST_SUITE_P(Kinds, StepFractionTest, testing::ValuesIn(kStepKinds),
+INSTANTIATE_TEST_SUITE_P(Kinds, StepFractionTest, testing::ValuesIn(drawn_for("StepFractionTest", kStepKinds, 8)),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

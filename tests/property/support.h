@@ -228,16 +228,17 @@ inline std::string bits_of(const dsw_sweep& s) {
   return hex(s.position) + hex(s.point) + bits_of(s.contact) + rest;
 }
 
-/// The kinds that a suite meets: all of them, unless less than a quarter of all cases is asked for. Then they are four times this part, spread
+/// The kinds that a suite meets: all of them, unless so little is asked for that `times` this part is less. Then they are as many, spread
 /// over the list, from a place that differs from suite to suite and from seed to seed; at least three.
-inline std::vector<std::string> drawn_for(const std::string& suite, const std::vector<std::string>& kinds) {
+template <class Kind>
+std::vector<Kind> drawn_for(const std::string& suite, const std::vector<Kind>& kinds, int times = 4) {
   const size_t count =
-      std::min(kinds.size(), static_cast<size_t>(std::max(3, effort_of(4 * static_cast<int>(kinds.size())))));
+      std::min(kinds.size(), static_cast<size_t>(std::max(3, effort_of(times * static_cast<int>(kinds.size())))));
   uint64_t seed = 0;
   for (const char letter : suite) seed = 31 * seed + static_cast<uint64_t>(letter);
   Rng rng(seed);
   const size_t first = rng.below(kinds.size());
-  std::vector<std::string> drawn;
+  std::vector<Kind> drawn;
   for (size_t i = 0; i < count; ++i) drawn.push_back(kinds[(first + i * kinds.size() / count) % kinds.size()]);
   return drawn;
 }

@@ -151,7 +151,8 @@ void expect_same(const Answers& a, const Answers& b) {
 class ThreadsTest : public SceneTest {};
 INSTANTIATE_TEST_SUITE_P(Some, ThreadsTest,
                          testing::ValuesIn(drawn_for("ThreadsTest",
-                                                     {"hex", "hex_warped", "tet_random", "mixed", "polyhedra_warped"})),
+                                                     std::vector<std::string>{"hex", "hex_warped", "tet_random",
+                                                                              "mixed", "polyhedra_warped"})),
                          [](const testing::TestParamInfo<std::string>& i) { return i.param; });
 
 TEST_P(ThreadsTest, AnyNumberOfThreadsGivesTheSameBits) {

@@ -277,17 +277,20 @@ TEST_P(TogetherTest, TiesAreThoseOfTheShift) {
   EXPECT_EQ(missed, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, TogetherTest,
-                         testing::Values(Kind{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, 0.8},
-                                         Kind{"Edges", 3, DSW_LEVEL_EDGES, 0.1, false, 0.5},
-                                         Kind{"EdgesSwept", 3, DSW_LEVEL_EDGES_SWEPT, 0.1, true, 0.3},
-                                         Kind{"EdgesShort", 3, DSW_LEVEL_EDGES_SWEPT, 0.02, false, 0.05},
-                                         Kind{"Faces", 3, DSW_LEVEL_FACES, 0.05, true, 0.3},
-                                         Kind{"FacesFar", 3, DSW_LEVEL_FACES, 0.05, false, 1.5},
-                                         Kind{"PlanePoints", 2, DSW_LEVEL_POINTS, 0.1, false, 0.8},
-                                         Kind{"PlaneEdges", 2, DSW_LEVEL_EDGES, 0.1, true, 0.5},
-                                         Kind{"PlaneEdgesSwept", 2, DSW_LEVEL_EDGES_SWEPT, 0.05, true, 0.15}),
-                         [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, TogetherTest,
+    testing::ValuesIn(drawn_for("TogetherTest",
+                                std::vector<Kind>{{"Points", 3, DSW_LEVEL_POINTS, 0.1, false, 0.8},
+                                                  {"Edges", 3, DSW_LEVEL_EDGES, 0.1, false, 0.5},
+                                                  {"EdgesSwept", 3, DSW_LEVEL_EDGES_SWEPT, 0.1, true, 0.3},
+                                                  {"EdgesShort", 3, DSW_LEVEL_EDGES_SWEPT, 0.02, false, 0.05},
+                                                  {"Faces", 3, DSW_LEVEL_FACES, 0.05, true, 0.3},
+                                                  {"FacesFar", 3, DSW_LEVEL_FACES, 0.05, false, 1.5},
+                                                  {"PlanePoints", 2, DSW_LEVEL_POINTS, 0.1, false, 0.8},
+                                                  {"PlaneEdges", 2, DSW_LEVEL_EDGES, 0.1, true, 0.5},
+                                                  {"PlaneEdgesSwept", 2, DSW_LEVEL_EDGES_SWEPT, 0.05, true, 0.15}},
+                                8)),
+    [](const testing::TestParamInfo<Kind>& i) { return std::string(i.param.name); });
 
 }  // namespace
 }  // namespace dsw::oracle

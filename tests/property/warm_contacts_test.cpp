@@ -375,14 +375,17 @@ TEST_P(WarmContactsTest, HaveTheBitsOfFloods) {
   EXPECT_GT(changed, 10 * dozens);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, WarmContactsTest,
-                         testing::Values(Ways{"Delaunay", {"wide_delaunay", "tet_random"}},
-                                         Ways{"Lattice", {"tet_lattice", "tet_kuhn"}},
-                                         Ways{"Slivers", {"tet_slivers", "waist_slivers"}},
-                                         Ways{"Hexahedra", {"hex", "wide_hexes"}},
-                                         Ways{"Warped", {"hex_warped", "wide_warped", "hex_warped_lattice"}},
-                                         Ways{"Others", {"pyramids", "prisms", "polyhedra", "voronoi", "mixed"}}),
-                         [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, WarmContactsTest,
+    testing::ValuesIn(drawn_for("WarmContactsTest",
+                                std::vector<Ways>{{"Delaunay", {"wide_delaunay", "tet_random"}},
+                                                  {"Lattice", {"tet_lattice", "tet_kuhn"}},
+                                                  {"Slivers", {"tet_slivers", "waist_slivers"}},
+                                                  {"Hexahedra", {"hex", "wide_hexes"}},
+                                                  {"Warped", {"hex_warped", "wide_warped", "hex_warped_lattice"}},
+                                                  {"Others", {"pyramids", "prisms", "polyhedra", "voronoi", "mixed"}}},
+                                8)),
+    [](const auto& each) { return std::string(each.param.name); });
 
 /// An edge touches the rim of a column of marked tetrahedra; then some of these are opened, and it goes on.
 TEST(WarmContactsOfTetrahedraTest, WhatWasOpenedStopsNobody) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "environment/marking.h"
@@ -42,7 +43,8 @@ uint32_t facets_outside(const Environment<3>& env, Cell cell, const double* poin
   return facets;
 }
 
-/** The cells behind the first that a cast comes into, the last of which holds its end; none if it does not get there. */
+/** The cells that a cast comes into behind its first, in order. `reached`: whether it gets to its end, which the last of them
+ * then holds. */
 std::vector<Cell> cells_of_cast(const Environment<3>& env, Cell cell, const double* from, const double* to,
                                 bool* reached) {
   std::vector<Crossing> crossings;
@@ -58,7 +60,7 @@ std::vector<Cell> cells_of_cast(const Environment<3>& env, Cell cell, const doub
   return cells;
 }
 
-/** A place in a convex cell, from another one in it a quarter as far behind the mean of the facets. */
+/** The mirror image of a point of a convex cell through the mean of its facets, a quarter as far from it. */
 void put_behind_mean(const Environment<3>& env, Cell cell, const double* in, double* at) {
   const Shape shape = env.map.shape(cell);
   const double corners = 3 * shape.facet_count();
@@ -138,8 +140,8 @@ void check_end(const Environment<3>& env, Cell cell, const double* from, const d
   seen.walls += end.end == CastEnd::kHit ? 1 : 0;
 }
 
-/** Draws ways from cells that may be entered, and compares them by all walks. */
-Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
+/** Draws ways from cells that may be entered, and compares them by all walks. On a lattice some ways meet ridges exactly. */
+Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random, bool on_lattice = false) {
   std::uniform_real_distribution<double> somewhere(0.05, 4.95), beside(-0.8, 0.8);
   Seen seen;
   for (int round = 0; round < rounds; ++round) {
@@ -148,10 +150,12 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
     const double* points[kWays];
     for (uint32_t i = 0; i < kWays; ++i) {
       do {
-        for (double& x : from[i]) x = somewhere(random);
+        for (double& x : from[i]) x = on_lattice ? std::round(4 * somewhere(random)) / 4 : somewhere(random);
         cells[i] = locate(env, from[i], Cell{}, nullptr).cell;
       } while (!cells[i].valid() || env.map.marked(cells[i]));
-      for (int k = 0; k < 3; ++k) to[i][k] = from[i][k] + beside(random);
+      for (int k = 0; k < 3; ++k) {
+        to[i][k] = from[i][k] + (on_lattice ? std::round(16 * beside(random)) / 8 : beside(random));
+      }
       points[i] = to[i];
     }
     for (uint32_t i = 0; i < kWays; ++i) check_end(env, cells[i], from[i], to[i], seen);
@@ -167,7 +171,7 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random) {
 
 TEST(ShortWay, IsTheWayOfACast) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
-  const int rounds = effort_of(20);
+  const int rounds = at_least(20);
   size_t ended = 0, walls = 0;
   for (const SmallMesh& mesh :
        {lattice(5, kTetra), lattice(5, kTetra, 0.03), lattice(5, kHexahedron), pyramid_lattice(5)}) {
@@ -177,6 +181,9 @@ TEST(ShortWay, IsTheWayOfACast) {
     for (uint32_t i = 0; i < env.map.cell_count; i += 11) set_cell_mark(env, env.map.cell(i), true);
     const Seen seen = check_ways(env, rounds, random);
     const auto least = static_cast<size_t>(20 * rounds);
+    const Seen on_lattice = check_ways(env, rounds, random, true);
+    EXPECT_GE(on_lattice.led, on_lattice.two / 10);
+    EXPECT_GE(on_lattice.two, least);
     EXPECT_GE(seen.one, least);
     EXPECT_GE(seen.two, least);
     EXPECT_GE(seen.open, seen.one / 3);
@@ -194,7 +201,7 @@ TEST(ShortWay, IsTheWayOfACast) {
 TEST(ShortWay, IsTheWayOfACastWherePointsHaveMoved) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(6)));
   std::uniform_real_distribution<double> far(-0.6, 0.6);
-  const int rounds = effort_of(20);
+  const int rounds = at_least(20);
   for (const double jitter : {0.0, 0.03}) {
     SCOPED_TRACE(jitter);
     Environment<3> env(nullptr);
