@@ -44,7 +44,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     const Skipping& skipping = body.skipping;
     const bool may_skip =
         (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
-    leaves_ = may_skip && skipping.leaves_back_edges;
+    leaves_ = D == 3 && may_skip && skipping.leaves_back_edges;
     tested_.assign(leaves_ ? body.edges.size() : 0, 0);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
@@ -209,7 +209,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
       if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
-    if (leaves_) test_untested(v, false, record);
+    if (D == 3 && leaves_) test_untested(v, false, record);
     if (may_skip && !leaves_ && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size(), exits = record.exits.size();
     const uint32_t limited = record.limited;
@@ -224,7 +224,7 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
-    if (leaves_) keep_untested();
+    if (D == 3 && leaves_) keep_untested();
   }
   star_.near = nullptr;
   return true;
@@ -303,7 +303,7 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size(), exits = record.exits.size();
-      if (leaves_) test_untested(v, true, record);
+      if (D == 3 && leaves_) test_untested(v, true, record);
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;

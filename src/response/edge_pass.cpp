@@ -12,7 +12,7 @@ void EdgePass<D>::sweep(bool may_skip, bool may_guess) {
   may_guess_ = may_guess;
   const Body<D>& body = *course_.motion.body;
   const bool only_places = !sweeps_edges(body.level) && !body.keeps_corridors();
-  const bool skips_back = may_skip && body.skipping.back_edges;
+  const bool skips_back = D == 3 && may_skip && body.skipping.back_edges;  // no edge of the plane has faces
   const bool leaves_back = skips_back && body.skipping.leaves_back_edges;
   sieve_.start(may_skip);
   while (sieve_.next()) {

@@ -23,10 +23,10 @@ void EdgeSieve<D>::start(bool may_skip) {
   fills_ = !skipping.by_clearance && !(may_skip && (skipping.by_similar_motion || casts_back));
   sifts_ = only_places && (skipping.by_environment || (may_skip && skipping.back_edges));
   // What is counted of casts is counted where they are made.
-  sees_ = D == 3 && only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
+  sees_ = only_places && sweeps_.counters == nullptr && !course_.all_clear && course_.clear_edges.empty() &&
           (sweeps_.max_volumes == 0 || sweeps_.max_volumes >= ShortEdges<D>::kMostCells);
-  if (sees_ || sifts_) short_.start(sees_);
-  course_.turn_words = sees_ ? short_.words_now() : nullptr;
+  if (sees() || sifts_) short_.start(sees());
+  course_.turn_words = sees() ? short_.words_now() : nullptr;
 }
 
 /** For vertices whose edges had to be cast; and how much room all have now. */
@@ -193,7 +193,7 @@ template <int D>
 void EdgeSieve<D>::gather() {
   const Body<D>& body = *course_.motion.body;
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
-  if (D == 3 && sees_ && body.edge_slots.alive_count() == size) {  // no free slot
+  if (sees() && body.edge_slots.alive_count() == size) {  // no free slot
     count_ = std::min(kChunk, size - next_);
     for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;
     next_ += count_;
@@ -203,7 +203,7 @@ void EdgeSieve<D>::gather() {
     chunk_[count_] = next_;
     const BodyEdge& edge = body.edges[next_];
     count_ += edge.ends[0] != kNone ? 1 : 0;
-    if (sees_ || edge.ends[0] == kNone) continue;
+    if (sees() || edge.ends[0] == kNone) continue;
     for (const uint32_t v : edge.ends) {
       prefetch_line(&course_.vertices[v]);
       prefetch_line(&course_.motion.ways[v]);
@@ -260,7 +260,7 @@ void EdgeSieve<D>::cast_where_they_arrive(uint32_t first, uint64_t which) {
 /** Casts edges, at most a chunk, where their ends arrive. */
 template <int D>
 void EdgeSieve<D>::cast_where_they_arrive(const uint32_t* edges, uint32_t count) {
-  const uint64_t seen = sees_ ? short_.find(edges, count).second : 0;
+  const uint64_t seen = sees() ? short_.find(edges, count).second : 0;
   for (uint32_t i = 0; i < count; ++i) {
     if ((seen >> i & 1) != 0) {
       casts_.add_seen();

@@ -36,13 +36,14 @@ class EdgeSieve {
   }
   /** Which edges of the chunk are seen to be free where their ends go. At EDGES, where no corridors are kept. */
   typename ShortEdges<D>::Seen find_short() {
-    return sees_ ? short_.find(chunk_, count_) : typename ShortEdges<D>::Seen{};
+    return sees() ? short_.find(chunk_, count_) : typename ShortEdges<D>::Seen{};
   }
 
  private:
   static constexpr uint32_t kChunk = 64;
   using Vertex = typename Course<D>::Vertex;
 
+  bool sees() const { return D == 3 && sees_; }
   void measure_clearances();
   void find_inwards();
   void gather();
@@ -79,7 +80,7 @@ class EdgeSieve {
   bool may_skip_ = false;
   bool sifts_ = false;  // edges are sifted while they are gathered
   bool fills_ = false;  // and a chunk is filled, since edges that are dropped are not cast in between
-  bool sees_ = false;   // edges may be free that are seen to be
+  bool sees_ = false;   // edges may be free that are seen to be, in space
   uint32_t next_ = 0, count_ = 0;
   uint32_t over_ = 0;  // edges behind the chunk, for the next one
   uint32_t chunk_[2 * kChunk] = {};

@@ -50,7 +50,7 @@ void ShortEdges<D>::start(bool looks) {
   const VertexWay* const ways = course_.motion.ways.data();
   const uint32_t doubts =
       write(env_.map, ways, course_.vertices.data(), count, words_.data(), in_doubt_.data(), &has_others_);
-  if (!looks) return;
+  if (D == 2 || !looks) return;
   now_.assign(words_.begin(), words_.end());
   for (uint32_t i = 0; i < doubts; ++i) {
     if (!ways[in_doubt_[i]].arrival.valid()) doubt_neighbours(in_doubt_[i]);

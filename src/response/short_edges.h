@@ -46,7 +46,7 @@ class ShortEdges {
   ShortEdges(const Environment<D>& env, const Course<D>& course) : env_(env), course_(course) {}
 
   /** For a course that knows where its vertices arrive. Throws std::bad_alloc.
-   * @param looks whether cells may be looked at: else only edges that stay in a convex cell are seen. */
+   * @param looks whether cells may be looked at, in space: else only edges that stay in a convex cell are seen. */
   void start(bool looks);
   /** A word for each vertex, as it was at the start. */
   const uint32_t* words() const { return words_.data(); }
