@@ -1,6 +1,7 @@
 #pragma once
 // Edges that are seen to be free where their ends go, without a cast.
 
+#include "base/compiler.h"
 #include "response/course.h"
 #include "response/turn_words.h"
 #include "walk/short_way.h"

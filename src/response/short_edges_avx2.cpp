@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "base/compiler.h"
 #include "response/short_edges.h"
 
 #if DSW_X86_64
