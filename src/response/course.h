@@ -30,7 +30,7 @@ struct Course {
   // Parts known to meet no obstacle: all of them, or those with a 1, by edge and by face.
   bool all_clear = false;
   Array<uint8_t> clear_edges, clear_faces;
-  uint32_t* turn_words = nullptr;  // by vertex, if they are to say who is in doubt by now: in space
+  uint32_t* turn_words = nullptr;  // words_now() of ShortEdges, which put_in_doubt writes; null: nobody reads them
 
   explicit Course(const Memory* memory)
       : motion(memory), order(memory), vertices(memory), keeps(memory), clear_edges(memory), clear_faces(memory) {}

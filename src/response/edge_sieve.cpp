@@ -195,7 +195,7 @@ void EdgeSieve<D>::gather() {
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
   if (sees() && body.edge_slots.alive_count() == size) {  // no free slot
     count_ = std::min(kChunk, size - next_);
-    for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;
+    for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;  // a fixed count is written in lanes
     next_ += count_;
     return;
   }

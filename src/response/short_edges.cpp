@@ -191,14 +191,18 @@ void ShortEdges<D>::answer(uint32_t count, Cell* cells, const double** points) {
   }
 }
 
-/** At which turns of its ends, of those that are asked about, an edge goes on from the cell that was looked at last, by
- * open neighbours, into that of the target of its first end. */
+/** The turns of `pair.turns` at which the edge is seen to lead from `cell`, by open neighbours, to the cell of its first end's target. */
 template <int D>
-uint32_t ShortEdges<D>::leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const {
-  const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
-  const double* const from[2] = {course_.motion.body->position(w), course_.place(w, kNone)};
-  return leads_into(env_, cell, facets, from, course_.place(pair.vertex, kNone),
-                    course_.motion.ways[pair.vertex].arrival, pair.turns);
+uint32_t ShortEdges<D>::leads([[maybe_unused]] const Pair& pair, [[maybe_unused]] Cell cell,
+                              [[maybe_unused]] uint32_t facets, [[maybe_unused]] const uint32_t* edges) const {
+  if constexpr (D == 2) {
+    return 0;
+  } else {
+    const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
+    const double* const from[2] = {course_.motion.body->position(w), course_.place(w, kNone)};
+    return follow_ways(env_, cell, facets, from, course_.place(pair.vertex, kNone),
+                       course_.motion.ways[pair.vertex].arrival, pair.turns);
+  }
 }
 
 template class ShortEdges<2>;

@@ -24,9 +24,9 @@ void find_outside(const Environment<D>& env, const Cell* cells, const double* co
 
 namespace {
 
-/** For two ways to one end outside of the facets f and g of a cell, a bit each: whether it leaves the cell by f. kNoRidge: the
- * facets share none. */
-constexpr uint32_t kNoRidge = 4;
+constexpr uint32_t kNoRidge = 4;  // two facets share none
+
+/** For two ways to one end outside of the facets f and g of a cell, a bit each: whether it leaves the cell by f. Or kNoRidge. */
 uint32_t leaves_by_first(const Environment<3>& env, Cell cell, uint32_t f, uint32_t g, const double* const (&from)[2],
                          const double* to, uint32_t asked) noexcept {
   const double* ridge[2];
@@ -48,41 +48,35 @@ uint32_t leaves_by_first(const Environment<3>& env, Cell cell, uint32_t f, uint3
 
 }  // namespace
 
-template <int D>
-uint32_t leads_into([[maybe_unused]] const Environment<D>& env, [[maybe_unused]] Cell cell,
-                    [[maybe_unused]] uint32_t facets, [[maybe_unused]] const double* const (&from)[2],
-                    [[maybe_unused]] const double* to, [[maybe_unused]] Cell last,
-                    [[maybe_unused]] uint32_t asked) noexcept {
+uint32_t follow_ways(const Environment<3>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
+                     const double* to, Cell last, uint32_t asked) noexcept {
   uint32_t leads = 0;
-  if constexpr (D == 3) {
-    for (uint32_t looks = 0; facets != 0; ++looks) {
-      const uint32_t f = lowest_bit(facets), g = highest_bit(facets);
-      if ((facets & ~(1u << f | 1u << g)) != 0) break;
-      const uint32_t by_f = f == g ? asked : leaves_by_first(env, cell, f, g, from, to, asked);
-      if (by_f == kNoRidge) break;
-      const Cell left = cell;
-      const uint32_t by_facet[2] = {by_f, asked & ~by_f};
-      asked = 0;
-      for (uint32_t k = 0; k < 2; ++k) {
-        if (by_facet[k] == 0) continue;
-        const Cell next = open_neighbour(env, left, k == 0 ? f : g);
-        if (next == last) {
-          leads |= by_facet[k];
-        } else if (next.valid()) {
-          asked = by_facet[k];
-          cell = next;
-        }
+  for (uint32_t looks = 0; facets != 0; ++looks) {
+    const uint32_t f = lowest_bit(facets), g = highest_bit(facets);
+    if ((facets & ~(1u << f | 1u << g)) != 0) break;
+    const uint32_t by_f = f == g ? asked : leaves_by_first(env, cell, f, g, from, to, asked);
+    if (by_f == kNoRidge) break;
+    const Cell left = cell;
+    const uint32_t by_facet[2] = {by_f, asked & ~by_f};
+    asked = 0;
+    for (uint32_t k = 0; k < 2; ++k) {
+      if (by_facet[k] == 0) continue;
+      const Cell next = open_neighbour(env, left, k == 0 ? f : g);
+      if (next == last) {
+        leads |= by_facet[k];
+      } else if (next.valid()) {
+        asked = by_facet[k];
+        cell = next;
       }
-      if (asked == 0 || looks == kMostFurtherLooks) break;
-      uint8_t outside = 0;
-      find_outside(env, &cell, &to, 1, &outside);
-      facets = outside;
     }
+    if (asked == 0 || looks == kMostFurtherLooks) break;
+    uint8_t outside = 0;
+    find_outside(env, &cell, &to, 1, &outside);
+    facets = outside;
   }
   return leads;
 }
 
 DSW_INSTANTIATE(find_outside);
-DSW_INSTANTIATE(leads_into);
 
 }  // namespace dsw

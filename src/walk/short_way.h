@@ -57,12 +57,11 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
 
 constexpr uint32_t kMostFurtherLooks = 4;
 
-/** For two ways to one end, a bit each: whether it leaves the cell for open neighbours, one after the other, of which the last is
- * `last`. Each way starts in the cell, or comes into it. The end lies outside of two of its facets at most: those of `facets`, a bit
- * each. Asks of the ways of `asked` alone, a bit each, and where they part may go on with one of them. Looks at no more than
- * kMostFurtherLooks cells behind the first. */
-template <int D>
-uint32_t leads_into(const Environment<D>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
-                    const double* to, Cell last, uint32_t asked) noexcept;
+/** Follows two straight ways to one end through convex cells. Returns a bit for each way of `asked` that is seen to come into `last`
+ * through open neighbours alone; no bit tells nothing. Each way starts in `cell` or comes into it. `facets`: those of `cell` that have
+ * the end outside, a bit each. Gives up where these are three, or two without a common ridge. Where the ways part, at most one is
+ * followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
+uint32_t follow_ways(const Environment<3>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
+                     const double* to, Cell last, uint32_t asked) noexcept;
 
 }  // namespace dsw
