@@ -18,7 +18,7 @@ struct PlaneHit {
 template <int D>
 PlaneHit<D> plane_hit(const double* p, const double* q, const double* const* simplex) noexcept;
 
-// Computes plane_hit by doubles alone, for any p and q. False where they do not tell, and where n.(q-p) <= 0. Always false in
+// Computes plane_hit by doubles alone, for any p and q. Returns false if doubles do not decide, and where n.(q-p) <= 0. Always false in
 // the plane.
 template <int D>
 bool quick_plane_hit(const double* p, const double* q, const double* const* simplex, PlaneHit<D>* hit) noexcept;

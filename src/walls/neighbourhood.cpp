@@ -299,6 +299,7 @@ bool Neighbourhood<D>::open(Cell c) {
   reserve_more(cells_, env_.map.vertices_of(c));
   env_.map.for_each_vertex(c, [&](uint32_t v) {
     if (!points_.is_touched(v)) {
+      reserve_more(near_, 1);
       points_.touch(v, fraction_);
       near_.push_back({});
     }
