@@ -7,6 +7,7 @@
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+cd "$folder"
 python3 -m venv "$folder/venv"
 "$folder/venv/bin/pip" install -q --no-compile mujoco-core==4.0.1 numpy==2.4.6
 "$folder/venv/bin/python" - <<'PY'
