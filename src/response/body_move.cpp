@@ -44,8 +44,8 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     const Skipping& skipping = body.skipping;
     const bool may_skip =
         (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
-    leaves_ = D == 3 && may_skip && skipping.leaves_back_edges;
-    tested_.assign(leaves_ ? body.edges.size() : 0, 0);
+    leaves_ = may_skip && skipping.leaves_back_edges;
+    tested_.assign(leaves() ? body.edges.size() : 0, 0);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -170,7 +170,7 @@ bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may
   // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
   // cast where their ends arrive, or by the later of these, which moves alone.
   const auto is_free = [&](uint32_t v) { return casts_.is_star_free(v); };
-  if (may_skip && !leaves_ && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
+  if (may_skip && !leaves() && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
   if (settings.passes != 0) go_on(settings, record);
   return true;
 }
@@ -209,8 +209,8 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
       if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
-    if (D == 3 && leaves_) test_untested(v, false, record);
-    if (may_skip && !leaves_ && !casts_.is_star_free(v)) return false;
+    if (leaves()) test_untested(v, false, record);
+    if (may_skip && !leaves() && !casts_.is_star_free(v)) return false;
     const size_t edits = record.edits.size(), exits = record.exits.size();
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
@@ -224,16 +224,16 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
-    if (D == 3 && leaves_) keep_untested();
+    if (leaves()) keep_untested();
   }
   star_.near = nullptr;
   return true;
 }
 
 /** Before a vertex moves alone: which of its edges are free where they are. Those that are not meet nothing. What was found
- * out of edges whose other ends have their turns later counts again when this one is over. If the move has changed no edge, an edge is
- * free where it is if it was so before the move and its other end has not moved, or if it was tested at the turn of its other end,
- * which either had no doubt or moved alone from where the edge was free.
+ * out of edges whose other ends have their turns later counts again when this one is over. As long as the move has changed no edge, some
+ * are known to be free. If the other end has not moved, they are those that were free before the move. If it has, they are those that
+ * were tested at its turn: where it had no doubt, or moved alone.
  * @param is_pass of further passes: all have had their turns. */
 template <int D>
 void BodyMove<D>::test_untested(uint32_t v, bool is_pass, const MoveRecord& record) {
@@ -256,7 +256,7 @@ void BodyMove<D>::test_untested(uint32_t v, bool is_pass, const MoveRecord& reco
   casts_.test_star(v, known_free_);
 }
 
-/** After a vertex has moved alone: notes which of its edges to later vertices are free, and what is known of them at the turns of these. */
+/** After a vertex has moved alone: notes which of its edges to later vertices are free, and lets these have what was known before. */
 template <int D>
 void BodyMove<D>::keep_untested() {
   Body<D>& body = *course_.motion.body;
@@ -303,7 +303,7 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size(), exits = record.exits.size();
-      if (D == 3 && leaves_) test_untested(v, true, record);
+      if (leaves()) test_untested(v, true, record);
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;

@@ -57,6 +57,7 @@ class BodyMove {
   bool arrives(uint32_t v);
   bool finish(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void go_on(const MoveSettings& settings, MoveRecord& record);
+  bool leaves() const { return D == 3 && leaves_; }
   void disturb(uint32_t v);
   void look_ahead(bool slides);
   void test_untested(uint32_t v, bool is_pass, const MoveRecord& record);
@@ -74,7 +75,7 @@ class BodyMove {
   Array<uint16_t> beyond_{env_.memory};   // scratch of find_clear_parts
   Array<uint32_t> strays_{env_.memory};   // vertices that are not where their neighbours took them to be
   Turns<D> turns_{env_.memory};           // if there are further passes
-  bool leaves_ = false;                   // back edges are left out that are not free where they arrive
+  bool leaves_ = false;                   // back edges are left out that are not free where they arrive, in space
   Array<uint8_t> untested_{env_.memory};  // of the body before the move, if they are
   struct Left {
     uint32_t edge;

@@ -30,7 +30,8 @@ uint32_t write_turn_words_avx2(const Map<3>& map, const VertexWay* ways, const C
  * Let w stay in the convex cell B, and let the target lie outside of one facet of B alone. Then the way to the target leaves B
  * by that facet, from wherever in B it comes, and the next cell is asked in the same way until it is the one that holds the
  * target. So one look at B tells of both tests, and of all edges between v and what stays in B. If the target lies outside of
- * two facets of B, the side on which the edge passes their ridge decides by which it leaves. From there each edge is followed alone. */
+ * two facets of B, the side on which the edge passes their ridge decides by which it leaves. From there each edge is followed
+ * alone. */
 template <int D>
 class ShortEdges {
  public:

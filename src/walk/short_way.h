@@ -15,8 +15,7 @@ void find_outside(const Environment<D>& env, const Cell* cells, const double* co
                   uint8_t* facets) noexcept;
 
 /** Tells how a cast ends by the planes of the tetrahedron where it starts: it ends in there, or its end lies outside of a single
- * facet, which is a wall. Returns false if the planes do not decide, and always in the
- * plane. */
+ * facet, which is a wall. Returns false if the planes do not decide, and always in the plane. */
 template <int D>
 DSW_HOT bool ends_at_once([[maybe_unused]] const Environment<D>& env, [[maybe_unused]] Cell start,
                           [[maybe_unused]] const double* to, [[maybe_unused]] CastResult* result) noexcept {
@@ -59,9 +58,9 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
 constexpr uint32_t kMostFurtherLooks = 4;
 
 /** Follows two straight ways to one end through convex cells. Returns a bit for each way of `asked` that is seen to come into `last`
- * through open neighbours alone; a missing bit means unknown. Each way starts in `cell` or comes into it. `facets`: those of `cell` that have
- * the end outside, a bit each. Gives up if these are three, or two that share no ridge. Where the ways part, at most one is
- * followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
+ * through open neighbours alone; a missing bit means unknown. Each way starts in `cell` or comes into it. `facets`: those of
+ * `cell` that have the end outside, a bit each. Gives up if these are three, or two that share no ridge. Where the ways part,
+ * at most one is followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
 uint32_t follow_ways(const Environment<3>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
                      const double* to, Cell last, uint32_t asked) noexcept;
 

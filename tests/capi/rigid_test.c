@@ -434,7 +434,7 @@ static void snapshots_keep_the_shape(unsigned dimension, int is_split) {
   CHECK(memcmp(now[0], now[1], count * sizeof now[0][0]) == 0);
 }
 
-/* With an argument the pushes alone: they take ten times as long as all the rest. */
+/* With an argument the pushes alone, which take nearly all of the time. */
 int main(int argc, char **argv) {
   unsigned dimension;
   (void)argv;
