@@ -169,10 +169,25 @@ Seen check_ways(const Environment<3>& env, int rounds, std::mt19937& random, boo
   return seen;
 }
 
+/** Ways from cells that are marked, where a vertex may lie that has not been freed. */
+size_t check_ends_of_marked(const Environment<3>& env, int rounds, std::mt19937& random) {
+  std::uniform_real_distribution<double> somewhere(0.05, 4.95), beside(-0.8, 0.8);
+  Seen seen;
+  for (int i = 0; i < 100 * rounds; ++i) {
+    double from[3], to[3];
+    for (double& x : from) x = somewhere(random);
+    const Cell cell = locate(env, from, Cell{}, nullptr).cell;
+    if (!cell.valid() || !env.map.marked(cell)) continue;
+    for (int k = 0; k < 3; ++k) to[k] = from[k] + beside(random);
+    check_end(env, cell, from, to, seen);
+  }
+  return seen.ended;
+}
+
 TEST(ShortWay, IsTheWayOfACast) {
   std::mt19937 random(static_cast<uint32_t>(seed_of(5)));
   const int rounds = at_least(20);
-  size_t ended = 0, walls = 0;
+  size_t ended = 0, walls = 0, ended_in_marks = 0;
   for (const SmallMesh& mesh :
        {lattice(5, kTetra), lattice(5, kTetra, 0.03), lattice(5, kHexahedron), pyramid_lattice(5)}) {
     SCOPED_TRACE(mesh.name);
@@ -182,6 +197,7 @@ TEST(ShortWay, IsTheWayOfACast) {
     const Seen seen = check_ways(env, rounds, random);
     const auto least = static_cast<size_t>(20 * rounds);
     const Seen on_lattice = check_ways(env, rounds, random, true);
+    ended_in_marks += check_ends_of_marked(env, rounds, random);
     EXPECT_GE(on_lattice.led, on_lattice.two / 10);
     EXPECT_GE(on_lattice.two, least);
     EXPECT_GE(seen.one, least);
@@ -194,6 +210,7 @@ TEST(ShortWay, IsTheWayOfACast) {
     walls += seen.walls;
   }
   EXPECT_GE(walls, static_cast<size_t>(10 * rounds));
+  EXPECT_GT(ended_in_marks, 0u);
   EXPECT_GE(ended, walls + static_cast<size_t>(4 * rounds));
 }
 
