@@ -210,7 +210,7 @@ TEST(RecordedCallsTest, EveryCallIsMadeAgain) {
   if (seed_of(0) != 0) GTEST_SKIP() << "its calls fit what DSW_SEED=0 draws";
   std::set<std::string> functions;
   for (const char* kind : {"hex", "tet_kuhn", "polyhedra"}) {
-    for (int seed = 1; seed <= std::clamp(effort_of(64), 4, 8); ++seed) {
+    for (uint64_t seed = 1; seed <= std::min(seeds_of(64, 4), uint64_t{8}); ++seed) {
       std::vector<double> lent, lent_next;
       RandomEdits<3> edits(kind, seed, nullptr, DSW_FEATURE_BODY_CONTACTS | DSW_FEATURE_STATISTICS);
       if (edits.environment() == nullptr) continue;
