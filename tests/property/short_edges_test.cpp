@@ -61,10 +61,10 @@ class ShortEdgesTest : public testing::Test {
  protected:
   /// One body in both scenes, which goes the same ways.
   void run_body(StagePlaces& places, Rng& rng, double size, dsw_scene* const (&scenes)[2]) {
-    const bool large = rng.chance(0.3);  // more edges than a chunk has, and more casts than a packet
+    const bool large = rng.chance(0.5);  // more edges than a chunk has, and more casts than a packet
     const double radius = size * std::pow(10, large ? -rng.range(0.4, 1) : -rng.range(0.7, 2.5));
-    const BodyPlan plan = ball(rng.chance(0.5) ? places.near(places.obstacle(0.5), 0.1) : places.start(), radius,
-                               large ? 40 : 1 + rng.below(4));
+    const BodyPlan plan = ball(large || rng.chance(0.5) ? places.near(places.obstacle(0.5), 0.1) : places.start(),
+                               radius, large ? 80 : 1 + rng.below(4));
     const uint32_t flags = large ? 0 : kFlags[rng.below(std::size(kFlags))];
     dsw_body_id bodies[2];
     for (int k = 0; k < 2; ++k) {
@@ -75,7 +75,7 @@ class ShortEdgesTest : public testing::Test {
       dsw_move_options options = defaults(dsw_move_options_init);
       static const uint32_t limits[] = {0, 0, 1, 4, 7, 8, 50};
       options.max_volumes = limits[rng.below(std::size(limits))];
-      const double way = radius * std::pow(10, -rng.range(0, 3)), bend = rng.chance(0.3) ? way : 0.01 * way;
+      const double way = radius * std::pow(10, -rng.range(0, large ? 1 : 3)), bend = rng.chance(0.3) ? way : 0.01 * way;
       Vec drift;
       for (double& x : drift) x = way * rng.range(-1, 1);
       for (Vec& p : at) {
