@@ -45,7 +45,7 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     const bool may_skip =
         (skipping.back_edges || skipping.by_similar_motion) && covers_edges(body.level) && !sweeps_edges(body.level);
     leaves_ = may_skip && skipping.leaves_back_edges;
-    tested_.assign(leaves() ? body.edges.size() : 0, 0);
+    tested_.assign(may_skip ? body.edges.size() : 0, 0);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
       if (edits) {
@@ -167,10 +167,14 @@ template <int D>
 bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   sweep_all(may_skip, true);
   if (!finish(settings, record, may_skip)) return false;
-  // Where a vertex does not arrive, those before it may have left out the edge to it. Other edges that are left out are
-  // cast where their ends arrive, or by the later of these, which moves alone.
-  const auto is_free = [&](uint32_t v) { return casts_.is_star_free(v); };
-  if (may_skip && !leaves() && !dsw::all_of(strays_.begin(), strays_.end(), is_free)) return false;
+  // An edge that was left out has been cast where its ends arrive, or its later end has moved alone, from a place where the edge was
+  // free: each neighbour of what does not arrive does so. New edges are tested as long as nothing is left out.
+  const auto is_free = [&](uint32_t v) {
+    find_asked(v, false);
+    return casts_.are_free(v, asked_);
+  };
+  if (may_skip && !leaves() && !record.edits.empty() && !dsw::all_of(strays_.begin(), strays_.end(), is_free))
+    return false;
   if (settings.passes != 0) go_on(settings, record);
   return true;
 }
@@ -209,8 +213,9 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
       if (notes) turns_.note(*course_.motion.body, v, before, false);
       continue;
     }
-    if (leaves()) test_untested(v, false, record);
-    if (may_skip && !leaves() && !casts_.is_star_free(v)) return false;
+    if (may_skip) find_asked(v, record.edits.empty());
+    if (leaves()) test_untested(v, false);
+    if (may_skip && !leaves() && !casts_.are_free(v, asked_)) return false;
     const size_t edits = record.edits.size(), exits = record.exits.size();
     const uint32_t limited = record.limited;
     // If nobody doubts it, and no edge was left out, only another body or this one can stop it.
@@ -224,36 +229,56 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
     }
     if (!reached || record.edits.size() != edits) disturb(v);
     for (size_t i = edits; i < record.edits.size(); ++i) disturb(record.edits[i].vertex.index);
-    if (leaves()) keep_untested();
+    if (leaves()) {
+      keep_untested();
+    } else if (may_skip && record.edits.empty()) {
+      for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
+        tested_[e] = 1;
+        return true;
+      });
+    }
   }
   star_.near = nullptr;
   return true;
 }
 
+/** Before a vertex moves alone: finds which of its edges have to be cast to know whether they are free where they are.
+ * @param may_know the move has changed no edge. Then an edge whose other end has not moved is what it was before the move, and one
+ * whose other end has moved was tested at the turn of this end, if the end moved alone, or had no doubt and left out no edge to v. */
+template <int D>
+void BodyMove<D>::find_asked(uint32_t v, bool may_know) {
+  const Body<D>& body = *course_.motion.body;
+  asked_.clear();
+  if (!body.has_vertex(v)) return;
+  const bool tests_turns = !body.skipping.by_similar_motion;
+  for_each_edge(body, v, [&](uint32_t e) {
+    if (may_know) {
+      const auto& other = course_.vertices[body.edges[e].other(v)];
+      const bool has_moved = other.rank < course_.vertices[v].rank,
+                 is_back = other.inwards && body.edges[e].faces[1] != kNone;
+      const bool is_tested = tested_[e] != 0 || (tests_turns && !other.doubtful && !is_back);
+      if (has_moved ? is_tested : untested_.empty() || untested_[e] == 0) return true;
+    }
+    asked_.push_back(e);
+    return true;
+  });
+}
+
 /** Before a vertex moves alone: which of its edges are free where they are. Those that are not meet nothing. What was found
- * out of edges whose other ends have their turns later counts again when this one is over. As long as the move has changed no edge, some
- * are known to be free. If the other end has not moved, they are those that were free before the move. If it has, they are those that
- * were tested at its turn: where it had no doubt, or moved alone.
+ * out of edges whose other ends have their turns later counts again when this one is over.
  * @param is_pass of further passes: all have had their turns. */
 template <int D>
-void BodyMove<D>::test_untested(uint32_t v, bool is_pass, const MoveRecord& record) {
+void BodyMove<D>::test_untested(uint32_t v, bool is_pass) {
   const Body<D>& body = *course_.motion.body;
   left_.clear();
-  known_free_.clear();
-  const bool may_know = !is_pass && record.edits.empty(), tests_turns = !body.skipping.by_similar_motion;
   for_each_edge(body, v, [&](uint32_t e) {
     const uint32_t w = body.edges[e].other(v);
     if (is_pass || w >= course_.vertices.size()) return true;
-    const auto& other = course_.vertices[w];
-    const bool has_moved = other.rank < course_.vertices[v].rank,
-               is_back = other.inwards && body.edges[e].faces[1] != kNone;
-    if (!has_moved && other.rank != kNone) left_.push_back({e, body.untested[e]});
-    const bool is_tested = tested_[e] != 0 || (tests_turns && !other.doubtful && !is_back);
-    const bool is_free = has_moved ? is_tested : untested_[e] == 0;
-    if (may_know && is_free) known_free_.push_back(e);
+    const uint32_t rank = course_.vertices[w].rank;
+    if (rank >= course_.vertices[v].rank && rank != kNone) left_.push_back({e, body.untested[e]});
     return true;
   });
-  casts_.test_star(v, known_free_);
+  casts_.test_star(v, asked_);
 }
 
 /** After a vertex has moved alone: notes which of its edges to later vertices are free, and lets these have what was known before. */
@@ -303,7 +328,10 @@ void BodyMove<D>::go_on(const MoveSettings& settings, MoveRecord& record) {
       std::copy_n(body.position(v), D, before);
       const uint32_t limited = record.limited;
       const size_t edits = record.edits.size(), exits = record.exits.size();
-      if (leaves()) test_untested(v, true, record);
+      if (leaves()) {
+        find_asked(v, false);
+        test_untested(v, true);
+      }
       const bool reached = alone.move(v, course_.motion.targets[v]);
       record.stopped -= reached ? 1 : 0;
       const bool may_go_on = !reached && record.limited == limited && record.exits.size() == exits;

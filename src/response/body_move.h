@@ -60,7 +60,8 @@ class BodyMove {
   bool leaves() const { return D == 3 && leaves_; }
   void disturb(uint32_t v);
   void look_ahead(bool slides);
-  void test_untested(uint32_t v, bool is_pass, const MoveRecord& record);
+  void find_asked(uint32_t v, bool may_know);
+  void test_untested(uint32_t v, bool is_pass);
   void keep_untested();
   void remove_noise(Body<D>& body, double share, MoveRecord& record);
 
@@ -83,7 +84,7 @@ class BodyMove {
   };
   Array<uint8_t> tested_{env_.memory};  // by edge: it was free after its earlier end had moved alone
   Array<Left> left_{env_.memory};       // edges of a vertex that moves alone, whose other ends have their turns later
-  Array<uint32_t> known_free_{env_.memory};   // edges of left_ that are known to be free where they are
+  Array<uint32_t> asked_{env_.memory};  // edges of a vertex that moves alone which are cast where they are
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to
   Array<BodyVertex<D>> here_{env_.memory};    // where a step began
   Array<double> places_{env_.memory};         // of all vertices, in a step

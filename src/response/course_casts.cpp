@@ -1,7 +1,5 @@
 #include "response/course_casts.h"
 
-#include "base/search.h"
-
 namespace dsw {
 
 template <int D>
@@ -69,13 +67,11 @@ void CourseCasts<D>::run_edges() {
   packet_.clear();
 }
 
-/** Calls visit(edge) for each edge of a vertex for which asks(edge) holds and that is not free where it is, until it returns false;
- * whether it never did. */
+/** Calls visit(edge) for each of these edges of a vertex that is not free where it is, until it returns false; whether it never did. */
 template <int D>
-template <class Asks, class Visit>
-bool CourseCasts<D>::visit_blocked(uint32_t v, Asks asks, Visit visit) {
+template <class Visit>
+bool CourseCasts<D>::visit_blocked(uint32_t v, const Array<uint32_t>& edges, Visit visit) {
   const Body<D>& body = *course_.motion.body;
-  if (!body.has_vertex(v)) return true;
   const BodyVertex<D>& at = body.vertices[v];
   bool go_on = true;
   const auto run_some = [&] {
@@ -83,35 +79,29 @@ bool CourseCasts<D>::visit_blocked(uint32_t v, Asks asks, Visit visit) {
     for (uint32_t i = 0; i < packet_.count() && go_on; ++i) go_on = packet_.reached(i) || visit(edges_[i]);
     packet_.clear();
   };
-  for_each_edge(body, v, [&](uint32_t e) {
-    if (!asks(e)) return true;
-    const BodyVertex<D>& other = body.vertices[body.edges[e].other(v)];
-    edges_[packet_.count()] = e;
+  for (size_t i = 0; i < edges.size() && go_on; ++i) {
+    const BodyVertex<D>& other = body.vertices[body.edges[edges[i]].other(v)];
+    edges_[packet_.count()] = edges[i];
     packet_.add_between(env_, at.cell, at.position, other.cell, other.position, 0);
     if (packet_.full()) run_some();
-    return go_on;
-  });
+  }
   run_some();
   return go_on;
 }
 
 template <int D>
-bool CourseCasts<D>::is_star_free(uint32_t v) {
-  return visit_blocked(
-      v, [](uint32_t) { return true; }, [](uint32_t) { return false; });
+bool CourseCasts<D>::are_free(uint32_t v, const Array<uint32_t>& edges) {
+  return visit_blocked(v, edges, [](uint32_t) { return false; });
 }
 
 template <int D>
-void CourseCasts<D>::test_star(uint32_t v, const Array<uint32_t>& known_free) {
+void CourseCasts<D>::test_star(uint32_t v, const Array<uint32_t>& asked) {
   Array<uint8_t>& untested = course_.motion.body->untested;
   for_each_edge(*course_.motion.body, v, [&](uint32_t e) {
     untested[e] = 0;
     return true;
   });
-  const auto asks = [&](uint32_t e) {
-    return dsw::none_of(known_free.begin(), known_free.end(), [e](uint32_t known) { return known == e; });
-  };
-  visit_blocked(v, asks, [&](uint32_t e) {
+  visit_blocked(v, asked, [&](uint32_t e) {
     untested[e] = 1;
     return true;
   });

@@ -48,16 +48,16 @@ class CourseCasts {
   uint32_t doubts() const { return doubts_; }
   /** Casts the edges that have been added. */
   void run_edges();
-  /** Whether all edges of a vertex are free where they are. */
-  bool is_star_free(uint32_t v);
+  /** Whether these edges of a vertex are free where they are. */
+  bool are_free(uint32_t v, const Array<uint32_t>& edges);
   /** Finds out which edges of a vertex are free where they are, for a body that keeps a list of edges that may not be.
-   * @param known_free edges of the vertex that need no test; may be empty. */
-  void test_star(uint32_t v, const Array<uint32_t>& known_free);
+   * @param asked all but those that are known to be free. */
+  void test_star(uint32_t v, const Array<uint32_t>& asked);
 
  private:
   void run();
-  template <class Asks, class Visit>
-  bool visit_blocked(uint32_t v, Asks asks, Visit visit);
+  template <class Visit>
+  bool visit_blocked(uint32_t v, const Array<uint32_t>& edges, Visit visit);
 
   const Environment<D>& env_;
   const SimplexSweep<D>& sweeps_;
