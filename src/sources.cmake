@@ -32,8 +32,8 @@ list(APPEND dsw_sources
   predicates/polynomial_halving.cpp
   predicates/polynomial_parts.cpp
   predicates/sweep_events.cpp
-  predicates/tetrahedron_signs.cpp
-  predicates/tetrahedron_signs_avx2.cpp
+  predicates/cell_signs.cpp
+  predicates/cell_signs_avx2.cpp
   predicates/touch.cpp
   predicates/turning_pair.cpp
   predicates/turning_pair_exact.cpp

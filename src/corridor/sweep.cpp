@@ -18,7 +18,8 @@
 namespace dsw {
 namespace {
 
-const FindTetrahedronSigns kFindTetrahedronSigns = DSW_WITH_AVX2(find_tetrahedron_signs);
+const FindCellSigns kFindTetrahedronSigns = DSW_WITH_AVX2(find_tetrahedron_signs);
+const FindCellSigns kFindPyramidSigns = DSW_WITH_AVX2(find_pyramid_signs);
 
 int side_of_plane(const double* const* triangle, const double* x) noexcept {
   return plane_side<3>(triangle, x, NoTally{}).sign;
@@ -83,8 +84,9 @@ void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t
   clear();
   tied_.clear();
   flood(start, max_volumes, [&](Cell c) {
-    is_signed_ = map_.form(c) == Form::kSimplex;
-    if (!(is_signed_ ? read_tetrahedron(c) : read_corners(c))) return;
+    const Form form = map_.form(c);
+    is_signed_ = form == Form::kSimplex || form == Form::kPyramid;
+    if (!(is_signed_ ? read_signs(c, form) : read_corners(c))) return;
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
@@ -105,15 +107,16 @@ bool SweepFlood<3>::read_corners(Cell c) {
   return false;
 }
 
-/** Reads a tetrahedron and finds its signs. False: nothing of it is met, as it lies beside the swept plane. */
-bool SweepFlood<3>::read_tetrahedron(Cell c) {
-  const uint32_t* const w = map_.record(c);
-  const double* at[4];
-  corners_.resize(4);
-  for (uint32_t i = 0; i < 4; ++i) at[i] = env_.point(w[i] & kVertexMask);
-  kFindTetrahedronSigns(*triangle_, at, signs_);
-  for (uint32_t i = 0; i < 4; ++i) corners_[i] = {at[i], w[i] & kVertexMask, 0, signs_.side[i]};
-  return signs_.passes_plane();
+/** Reads a tetrahedron or a pyramid and finds its signs. False: nothing of it is met, as it lies beside the swept plane. */
+bool SweepFlood<3>::read_signs(Cell c, Form form) {
+  const uint32_t* const w = map_.record(c) + (form == Form::kSimplex ? 0 : kUnitWords<3>);
+  const uint32_t count = form == Form::kSimplex ? 4 : 5;
+  const double* at[5];
+  for (uint32_t i = 0; i < count; ++i) at[i] = env_.point(w[i] & kVertexMask);
+  if (!(form == Form::kSimplex ? kFindTetrahedronSigns : kFindPyramidSigns)(*triangle_, at, signs_)) return false;
+  corners_.resize(count);
+  for (uint32_t i = 0; i < count; ++i) corners_[i] = {at[i], w[i] & kVertexMask, 0, signs_.side[i]};
+  return true;
 }
 
 int SweepFlood<3>::side(Corner& corner) const {
@@ -123,7 +126,8 @@ int SweepFlood<3>::side(Corner& corner) const {
 
 /** See SweptTriangle; the sides of both are known, and differ. */
 uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
-  if (is_signed_) return signs_.lines[&a - corners_.data()][&b - corners_.data()];
+  const uint32_t known = is_signed_ ? signs_.lines[&a - corners_.data()][&b - corners_.data()] : CellSigns::kNotAsked;
+  if (known != CellSigns::kNotAsked) return known;
   return lines_.value(a.vertex, b.vertex, [&] { return triangle_->outside(a.at, b.at, b.side); });
 }
 
@@ -144,7 +148,7 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
 
 bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
-  if (last > first + 1) {
+  if (last > first + 1 && !is_signed_) {
     uint32_t beyond = ~0u;
     for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
       beyond &= corners_[shape.dart_vertex(d)].beyond;

@@ -3,8 +3,8 @@
 // [JCD10] 4.1, with a face p q r the tetrahedron p p' q r. In the plane there are no faces, and an edge sweeps a solid.
 
 #include "corridor/solid_sweep.h"
+#include "predicates/cell_signs.h"
 #include "predicates/swept_triangle.h"
-#include "predicates/tetrahedron_signs.h"
 
 namespace dsw {
 
@@ -35,7 +35,7 @@ class SweepFlood<3> : public SolidSweep<3> {
  private:
   void flood_triangle(SweptTriangle& triangle, Cell start, uint32_t max_volumes);
   bool read_corners(Cell c);
-  bool read_tetrahedron(Cell c);
+  bool read_signs(Cell c, Form form);
   int side(Corner& corner) const;
   uint32_t outside(const Corner& a, const Corner& b);
   void look_at_facets(Cell c, const Shape& shape);
@@ -53,8 +53,8 @@ class SweepFlood<3> : public SolidSweep<3> {
   void sort_found();
 
   SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
-  bool is_signed_ = false;             // the cell that is looked at is a tetrahedron; its signs are known:
-  TetrahedronSigns signs_;
+  bool is_signed_ = false;             // the cell that is looked at is a tetrahedron or a pyramid; its signs are known:
+  CellSigns signs_;
   bool collect_ = false;
   bool ends_ = false;                      // at the first contact
   Array<SweepContact> tied_{env_.memory};  // walls at the line of the first contact

@@ -1,7 +1,7 @@
 // What the swept triangle says of lines against exact integers.
 
 #include "predicates/swept_triangle.h"
-#include "predicates/tetrahedron_signs.h"
+#include "predicates/cell_signs.h"
 
 #include <gtest/gtest.h>
 
@@ -86,11 +86,11 @@ TEST(SweptTriangle, SaysLaterOnlyOfLinesThatAreMetLater) {
   EXPECT_GT(inside_later, cases / 500);
 }
 
-/** What the processor has. */
-std::vector<FindTetrahedronSigns> kernels() {
-  std::vector<FindTetrahedronSigns> all = {find_tetrahedron_signs};
+/** What the processor has, for tetrahedra and for pyramids. */
+std::vector<FindCellSigns> kernels(int corners) {
+  std::vector<FindCellSigns> all = {corners == 4 ? find_tetrahedron_signs : find_pyramid_signs};
 #if DSW_X86_64
-  if (DSW_CPU_HAS("avx2")) all.push_back(find_tetrahedron_signs_avx2);
+  if (DSW_CPU_HAS("avx2")) all.push_back(corners == 4 ? find_tetrahedron_signs_avx2 : find_pyramid_signs_avx2);
 #endif
   return all;
 }
@@ -100,35 +100,41 @@ int exact_line(const double* x, const double* y, const double* a, const double* 
   return exact::line_side<3>(x, y, ridge).sign;
 }
 
-TEST(TetrahedronSigns, AreExactAndTheSameForEveryKernel) {
-  Random random(62);
+/** @param count of corners of a cell: 4 of a tetrahedron, 5 of a pyramid. */
+void compare_cell_signs(int count) {
+  Random random(static_cast<std::uint64_t>(58 + count));
   PointSet<3> s;
   const int cases = static_cast<int>(case_count() / 2);
-  int passing = 0, with_three = 0, later = 0, inside = 0, flat = 0;
+  int passing = 0, with_one_alone = 0, later = 0, inside = 0, flat = 0, diagonals = 0;
   for (int i = 0; i < cases; ++i) {
-    draw(random, 7, s);
+    draw(random, 3 + count, s);
     const double *const p = s.at[0], *const to = s.at[1], *const q = s.at[2], *const *const corners = s.at + 3;
     SweptTriangle triangle({p, to, q});
     if (random.below(3) != 0) triangle.end_at(0.5 * (random.uniform() + 1));
-    for (const FindTetrahedronSigns find : kernels()) {
-      TetrahedronSigns signs;
-      find(triangle, corners, signs);
+    for (const FindCellSigns find : kernels(count)) {
+      CellSigns signs;
+      const bool passes = find(triangle, corners, signs);
       int above = 0, below = 0;
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < count; ++k) {
         ASSERT_EQ(signs.side[k], swept_side({p, to, q}, corners[k]).sign) << "case " << i;
         above += signs.side[k] > 0 ? 1 : 0;
         below += signs.side[k] < 0 ? 1 : 0;
       }
-      ASSERT_EQ(signs.passes_plane(), above != 0 && below != 0) << "case " << i;
+      ASSERT_EQ(passes, above != 0 && below != 0) << "case " << i;
       flat += above + below == 0 ? 1 : 0;
-      if (!signs.passes_plane()) continue;
+      if (!passes) continue;
       ++passing;
-      with_three += above != 2 ? 1 : 0;
-      for (int a = 0; a < 4; ++a) {
-        for (int b = 0; b < 4; ++b) {
+      with_one_alone += above == 1 || below == 1 ? 1 : 0;
+      for (int a = 0; a < count; ++a) {
+        for (int b = 0; b < count; ++b) {
           if (signs.side[a] == signs.side[b]) continue;
           const int side = signs.side[b];
           const uint32_t bits = signs.lines[a][b];
+          if (count == 5 && a < 4 && b < 4 && (a + b) % 2 == 0) {
+            ASSERT_EQ(bits, CellSigns::kNotAsked) << "case " << i;
+            ++diagonals;
+            continue;
+          }
           ASSERT_EQ(bits, triangle.outside(corners[a], corners[b], side)) << "case " << i;
           const int exact_signs[3] = {exact_line(p, to, corners[a], corners[b]),
                                       exact_line(to, q, corners[a], corners[b]),
@@ -141,11 +147,15 @@ TEST(TetrahedronSigns, AreExactAndTheSameForEveryKernel) {
     }
   }
   EXPECT_GT(passing, cases / 10);
-  EXPECT_GT(with_three, cases / 20);
+  EXPECT_GT(with_one_alone, cases / 20);
   EXPECT_GT(later, cases / 50);
   EXPECT_GT(inside, cases / 50);
   EXPECT_GT(flat, 0);
+  EXPECT_EQ(diagonals != 0, count == 5);
 }
+
+TEST(TetrahedronSigns, AreExactAndTheSameForEveryKernel) { compare_cell_signs(4); }
+TEST(PyramidSigns, AreExactAndTheSameForEveryKernel) { compare_cell_signs(5); }
 
 }  // namespace
 }  // namespace dsw
