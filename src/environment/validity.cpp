@@ -326,10 +326,12 @@ CellState check_cell(const Environment<D>& env, Cell c) noexcept {
 template <int D>
 bool stays_valid(const Environment<D>& env, Cell c, const double* next) {
   const Shape shape = env.map.shape(c);
-  const auto start = [&](uint32_t local) { return env.point(c, local); };
-  const auto end = [&](uint32_t local) { return next + size_t{D} * env.map.vertex(c, local); };
   // A simplex is looked at from its vertex 2, as in check_star.
   const bool is_simplex = env.map.form(c) == Form::kSimplex;
+  const uint32_t* const w = env.map.record(c);
+  const auto vertex = [&](uint32_t local) { return is_simplex ? w[local] & kVertexMask : env.map.vertex(c, local); };
+  const auto start = [&](uint32_t local) { return env.point(vertex(local)); };
+  const auto end = [&](uint32_t local) { return next + size_t{D} * vertex(local); };
   double centres[2][D];
   if (!is_simplex) {
     mean_point<D>(shape.vertex_count(), start, centres[0]);

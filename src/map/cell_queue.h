@@ -15,11 +15,18 @@ class CellQueue {
   bool contains(Cell c) const { return slots_[slot_of(c)] == c.unit; }
 
   void insert(Cell c) {
+    insert_if(c, [] { return true; });
+  }
+  /** Inserts a cell that is not there, if admits(), which is asked of no other; returns whether it is there now. */
+  template <class Admits>
+  bool insert_if(Cell c, Admits admits) {
     const size_t slot = slot_of(c);
-    if (slots_[slot] == c.unit) return;
+    if (slots_[slot] == c.unit) return true;
+    if (!admits()) return false;
     cells_.push_back(c);
     slots_[slot] = c.unit;
     if (2 * cells_.size() >= slots_.size()) grow();
+    return true;
   }
 
   /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left is not swept. */

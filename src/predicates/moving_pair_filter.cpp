@@ -1,5 +1,7 @@
 #include "predicates/moving_pair_filter.h"
 
+#include <algorithm>
+
 #include "predicates/filter_bounds.h"
 
 namespace dsw {
@@ -45,8 +47,10 @@ class Filter {
   }
 
   int kept_side(bool* is_sure) noexcept {
-    *is_sure = find_volume();
+    *is_sure = find_rows();
     if (!*is_sure) return 0;
+    if (const int plain = plain_side(); plain != 0) return plain;
+    find_volume();
     const int side = search_.whole.volume.sign(search_.volume_error);
     const double first = search_.whole.volume.c[0], last = search_.whole.volume.c[D];
     *is_sure = side != 0 || (std::fabs(first) > search_.volume_error && std::fabs(last) > search_.volume_error &&
@@ -56,15 +60,16 @@ class Filter {
 
   Filtered first_touch(double until, double* time) noexcept {
     constexpr int kHalvingsOfCut = 2;
-    if (!find_volume()) return Filtered::kUnknown;
+    if (!find_rows()) return Filtered::kUnknown;
+    find_volume();
     if (until < 1) search_.end_at(touch_search::end_after(until), kHalvingsOfCut);
     search_.root_error = kRootError * product_;
     return search_.first_touch([this] { find_conditions(); }, [this](double t) { return volume_at(t); }, time);
   }
 
  private:
-  // Coefficients of the volume and the bounds; false if they are out of range.
-  bool find_volume() noexcept {
+  // The rows of the volume and the bounds; false if they are out of range.
+  bool find_rows() noexcept {
     double extent[D] = {};
     for (int i = 1; i <= D; ++i) {
       for (int k = 0; k < D; ++k) {
@@ -82,6 +87,32 @@ class Filter {
       extent_[k] = extent[k];
     }
     search_.volume_error = kCoefficientError * product_;
+    return true;
+  }
+
+  // The side at the start, if the ways are too short for another one; else 0. A determinant whose entries are at most 1 is at most 4, in
+  // the plane 2. What changes is a sum of such determinants, each with one column of differences and others of what lies between the rows.
+  int plain_side() const noexcept {
+    const auto& s = row_[0];
+    double way[D] = {};
+    for (int i = 0; i < D; ++i) {
+      for (int k = 0; k < D; ++k) way[k] = std::max(way[k], std::fabs(row_[1][i][k] - s[i][k]));
+    }
+    double volume, change;
+    if constexpr (D == 3) {
+      volume = determinant(s[0], s[1], s[2]);
+      change = 4 * (way[0] * extent_[1] * extent_[2] + extent_[0] * (way[1] * extent_[2] + extent_[1] * way[2]));
+    } else {
+      volume = s[0][0] * s[1][1] - s[0][1] * s[1][0];
+      change = 2 * (way[0] * extent_[1] + extent_[0] * way[1]);
+    }
+    // The error is that of one of the coefficients, and is more than what `way` and the products lose.
+    if (!(std::fabs(volume) > (1 + 0x1p-40) * change + 2 * search_.volume_error)) return 0;
+    return volume > 0 ? 1 : -1;
+  }
+
+  // Coefficients of the volume.
+  void find_volume() noexcept {
     double* const c = search_.whole.volume.c;
     const auto& s = row_[0];
     const auto& e = row_[1];
@@ -93,7 +124,6 @@ class Filter {
     } else {
       set_area(0, 1, 0, 1, &search_.whole.volume);
     }
-    return true;
   }
 
   // The area that rows i and j span along axes x and y.

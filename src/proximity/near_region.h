@@ -2,6 +2,7 @@
 // What can be within a distance of simplices of a body: a box along the first one, which is a little too large.
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/vec.h"
 
@@ -30,6 +31,21 @@ class NearRegion {
       const double x = dot(axes_[k], at);
       lower_[k] = std::min(lower_[k], x - error - reach_);
       upper_[k] = std::max(upper_[k], x + error + reach_);
+    }
+  }
+  /** All that is within reach of an axis-parallel box with these corners, too, and what lies between. */
+  void add_box(const double* low, const double* high) noexcept {
+    const Vec first = to_vec<D>(low) - origin_, last = to_vec<D>(high) - origin_;
+    const double error = error_of(first) + error_of(last);
+    for (int k = 0; k < D; ++k) {
+      double least = 0, most = 0;
+      for (int j = 0; j < D; ++j) {
+        const double a = axes_[k][j] * first[j], b = axes_[k][j] * last[j];
+        least += std::min(a, b);
+        most += std::max(a, b);
+      }
+      lower_[k] = std::min(lower_[k], least - error - reach_);
+      upper_[k] = std::max(upper_[k], most + error + reach_);
     }
   }
   /** In the plane its area. Rounded. */

@@ -33,19 +33,25 @@ class ObstacleFlood {
   static constexpr uint32_t kKnown = 256;
 
   /** See NearRegion. */
-  uint32_t outside(uint32_t vertex, const NearRegion<D>& region) noexcept;
+  uint32_t outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
+    const Known& known = known_[vertex % kKnown];
+    return known.vertex == vertex ? known.bits : find_outside(vertex, region);
+  }
+  uint32_t find_outside(uint32_t vertex, const NearRegion<D>& region) noexcept;
+  /** Visits the cells from that number on, and those that are reached from them. */
+  void go_on(size_t from, const NearRegion<D>& region, NearList<D>& found);
   void visit(Cell c, const NearRegion<D>& region, NearList<D>& found);
   void visit_tetrahedron(Cell c, const NearRegion<D>& region, NearList<D>& found);
-  /** Through a facet, if it is passable. */
-  void follow(Cell c, uint32_t facet, NearList<D>& found);
-  void add_triangles(Cell c, uint32_t facet, NearList<D>& found) const;
-  void add_thin(Cell c, const Shape& shape, NearList<D>& found) const;
+  /** Through a facet, if it is passable. `outside` is that of the cell's vertices. */
+  void follow(Cell c, uint32_t facet, const uint32_t* outside, NearList<D>& found);
+  void add_triangles(Cell c, uint32_t facet, const uint32_t* outside, NearList<D>& found) const;
+  void add_thin(Cell c, const uint32_t* outside, NearList<D>& found) const;
 
   const Environment<D>& env_;
   const double* next_ = nullptr;
   CellQueue cells_;
-  bool are_open_ = true;     // the cells that were reached: none of them is invalid
-  Array<uint32_t> outside_;  // of the vertices of the cell that is visited
+  bool are_open_ = true;     // the cells that were reached: none of them is marked or invalid
+  Array<uint32_t> outside_;  // of the vertices of the cell that is visited, unless that is a tetrahedron
   Known known_[kKnown];
 };
 

@@ -165,8 +165,10 @@ void MovingWalls<D>::collect(const Trajectory<D>& of, Near& near) {
               region_of_way(of, near.part, radius > 0 ? radius + of.bend.most : 0), list_);
   near.first_feature = static_cast<uint32_t>(features_.size());
   near.first_cell = static_cast<uint32_t>(cells_.size());
-  add_cells();
-  if (near.part.kind != Simplex::kVertex) cells_.resize(near.first_cell);
+  check_cells();
+  if (near.part.kind == Simplex::kVertex) {
+    for (size_t i = 0; i < flood_.cells().size(); ++i) cells_.push_back(flood_.cells()[i]);
+  }
   if (!list_.empty()) {
     list_.finish({env_.points, D});
     add_features(of, near.part);
@@ -199,17 +201,16 @@ uint32_t MovingWalls<D>::add_obstacles(uint32_t outer, bool is_thick) {
   return outer;
 }
 
-/** Notes the cells of the last flood. */
+/** Notes that the cells of the last flood have to stay valid. */
 template <int D>
-void MovingWalls<D>::add_cells() {
+void MovingWalls<D>::check_cells() {
   for (size_t i = 0; i < flood_.cells().size(); ++i) {
     const Cell c = flood_.cells()[i];
-    cells_.push_back(c);
-    const size_t before = checked_.size();
-    checked_.insert(c);
-    if (checked_.size() == before) continue;
-    env_.map.for_each_vertex(c, [&](uint32_t v) {
-      if (!is_finite<D>(next_ + size_t{D} * v)) fail_non_finite({next_, D}, v, D, {"next", true});
+    checked_.insert_if(c, [&] {
+      env_.map.for_each_vertex(c, [&](uint32_t v) {
+        if (!is_finite<D>(next_ + size_t{D} * v)) fail_non_finite({next_, D}, v, D, {"next", true});
+      });
+      return true;
     });
   }
 }

@@ -111,7 +111,7 @@ class MovingWalls {
   void collect_all(const Array<Trajectory<D>>& trajectories);
   void collect(const Trajectory<D>& of, Near& near);
   void stand_for_ends(const Array<Trajectory<D>>& trajectories);
-  void add_cells();
+  void check_cells();
   uint32_t add_obstacles(uint32_t outer, bool is_thick);
   bool are_valid_from(size_t first);
   void add_features(const Trajectory<D>& of, const Simplex& part);

@@ -211,11 +211,7 @@ NearRegion<D> region_of_way(const Trajectory<D>& of, const Simplex& part, double
   NearRegion<D> region(points, count, distance + rounding);
   for (uint32_t i = 0; of.is_led && i < corners.count; ++i) {
     const Box<D>& room = of.rooms[corners.vertices[i]];
-    for (uint32_t corner = 0; corner < 1u << D; ++corner) {
-      double at[D];
-      for (uint32_t k = 0; k < D; ++k) at[k] = (corner >> k & 1) != 0 ? room.upper[k] : room.lower[k];
-      region.add(at);
-    }
+    region.add_box(room.lower, room.upper);
   }
   return region;
 }

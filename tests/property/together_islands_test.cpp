@@ -1,7 +1,6 @@
 // All vertices of bodies move at once: what is carried rigidly never stops itself, islands are alone, features that
 // stop pass nothing, what is remembered does not matter, and memory that runs out changes nothing.
 #include "host_memory.h"
-#include "proximity/near_region.h"
 #include "together_support.h"
 
 #include <cmath>
@@ -171,17 +170,6 @@ TEST_F(TogetherMoreTest, APartnerThatHardlyMovesSendsNothingBack) {
         EXPECT_LT(p[0], 1.5 + way);
       }
     }
-  }
-}
-
-TEST(NearRegion, IsBoundedInThePlane) {
-  const double points[4][2] = {{0, 0}, {1, 0}, {3, 2}, {4, 2}};  // the two ends of an edge, at the start and at the end
-  const double* const corners[4] = {points[0], points[1], points[2], points[3]};
-  for (const uint32_t count : {1u, 2u, 3u, 4u}) {
-    const NearRegion<2> region(corners, count, 0.5);
-    for (uint32_t i = 0; i < count; ++i) EXPECT_EQ(region.outside(corners[i]), 0u) << count << " points";
-    for (const auto& far : {Vec{100, 0, 0}, Vec{-100, 0, 0}, Vec{0, 100, 0}, Vec{0, -100, 0}})
-      EXPECT_NE(region.outside(far.data()), 0u) << count << " points, " << far[0] << " " << far[1];
   }
 }
 

@@ -182,6 +182,41 @@ TEST_P(PlaneMovingPairTest, SidesAreTrue) { sides_are_true(); }
 TEST_P(PlaneMovingPairTest, NamesDoNotMatter) { names_do_not_matter(); }
 TEST_P(PlaneMovingPairTest, ComparisonsAreTrue) { comparisons_are_true(); }
 
+/** What hardly moves and is nearly flat: rounding may turn the sign of the volume. */
+template <size_t D>
+void sides_of_flat_ones_are_true(PairKind kind) {
+  Random random{D};
+  std::uint64_t below = 0, above = 0;
+  const std::uint64_t cases = case_count() / 100;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    MovingCase<static_cast<int>(D)> c{kind, {}, {}};
+    double weights[D + 1] = {}, rest = 1;
+    for (size_t j = 1; j < D; ++j) rest -= weights[j] = random.uniform() / 2;
+    weights[D] = rest;
+    for (size_t k = 0; k < D; ++k) {
+      double sum = 0;
+      for (size_t j = 1; j <= D; ++j) {
+        c.start[j][k] = random.uniform() * std::ldexp(1.0, random.below(12));
+        sum += weights[j] * c.start[j][k];
+      }
+      c.start[0][k] = sum;
+    }
+    c.end = c.start;
+    if (i % 4 == 0) c.end[i % (D + 1)][0] = std::nextafter(c.end[i % (D + 1)][0], 8);
+    const int truth = true_kept_side(c.pair());
+    below += truth < 0 ? 1 : 0;
+    above += truth > 0 ? 1 : 0;
+    ASSERT_EQ(kept_side(c.pair()), truth) << c.text();
+  }
+  EXPECT_GE(below, cases / 8);
+  EXPECT_GE(above, cases / 8);
+}
+TEST(MovingPairTest, SidesOfWhatIsNearlyFlatAreTrue) {
+  sides_of_flat_ones_are_true<2>(PairKind::kVertexEdge);
+  sides_of_flat_ones_are_true<3>(PairKind::kVertexFace);
+  sides_of_flat_ones_are_true<3>(PairKind::kEdgeEdge);
+}
+
 /** Times that follow from how a pair is made; the truth has to know them, too. */
 template <int D>
 void expect_time(const MovingCase<D>& c, bool touches, double time) {
