@@ -260,7 +260,7 @@ void EdgeSieve<D>::cast_where_they_arrive(uint32_t first, uint64_t which) {
 /** Casts edges, at most a chunk, where their ends arrive. */
 template <int D>
 void EdgeSieve<D>::cast_where_they_arrive(const uint32_t* edges, uint32_t count) {
-  const uint64_t seen = sees() ? short_.find(edges, count).second : 0;
+  const uint64_t seen = sees() ? short_.find_arrivals(edges, count) : 0;
   for (uint32_t i = 0; i < count; ++i) {
     if ((seen >> i & 1) != 0) {
       casts_.add_seen();

@@ -72,8 +72,21 @@ void ShortEdges<D>::doubt_neighbours(uint32_t v) {
 template <int D>
 typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t count) {
   Seen seen;
-  const uint32_t pairs = gather(edges, count, seen);
-  if (pairs == 0) return seen;
+  tell(edges, gather(edges, count, seen), seen);
+  return seen;
+}
+
+template <int D>
+uint64_t ShortEdges<D>::find_arrivals(const uint32_t* edges, uint32_t count) {
+  Seen seen;
+  tell(edges, gather_arrivals(edges, count, seen), seen);
+  return seen.second;
+}
+
+/** Asks what has been gathered of edges, and tells which of them are seen to be free. */
+template <int D>
+void ShortEdges<D>::tell(const uint32_t* edges, uint32_t pairs, Seen& seen) {
+  if (pairs == 0) return;
   ask(pairs);
   for (uint32_t i = 0; i < pairs; ++i) {
     const Pair& pair = pairs_[i];
@@ -85,7 +98,6 @@ typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t
     seen.first |= uint64_t{turns & kFirst} << pair.place;
     seen.second |= uint64_t{turns >> 1} << pair.place;
   }
-  return seen;
 }
 
 /** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
@@ -111,6 +123,25 @@ uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
     if (ways[ends[k]].arrival.valid()) pairs = add_turns(edges, i, pairs, seen);
+  }
+  return pairs;
+}
+
+/** Sees the edges that arrive in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
+template <int D>
+uint32_t ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen) {
+  const VertexWay* const ways = course_.motion.ways.data();
+  uint32_t pairs = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t(&ends)[2] = course_.motion.body->edges[edges[i]].ends;
+    const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
+    const Cell cell = ways[ends[1 - k]].arrival;
+    if (!env_.map.convex(cell)) continue;
+    if (cell == ways[ends[k]].arrival) {
+      seen.second |= uint64_t{1} << i;
+    } else {
+      pairs_[pairs++] = {ends[k], cell.unit, static_cast<uint8_t>(i), kSecond};
+    }
   }
   return pairs;
 }

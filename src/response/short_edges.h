@@ -59,6 +59,8 @@ class ShortEdges {
   bool has_others() const { return has_others_; }
   /** What is seen of at most kMost edges. Of an end that does not move nothing is told. */
   Seen find(const uint32_t* edges, uint32_t count);
+  /** Which of at most kMost edges are seen to be free where their ends arrive, a bit each. Their ends were not in doubt at the start. */
+  uint64_t find_arrivals(const uint32_t* edges, uint32_t count);
 
  private:
   static constexpr uint32_t kMostPairs = 2 * kMost;
@@ -82,7 +84,9 @@ class ShortEdges {
   void doubt_neighbours(uint32_t v);
   uint32_t gather(const uint32_t* edges, uint32_t count, Seen& seen);
   uint32_t add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen);
+  uint32_t gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen);
   void ask(uint32_t pairs);
+  void tell(const uint32_t* edges, uint32_t pairs, Seen& seen);
   void answer(uint32_t count, Cell* cells, const double** points);
   uint32_t leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const;
 

@@ -36,6 +36,14 @@ class BackEdgeTest : public BodyTest {
     EXPECT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
     return answer;
   }
+  /// Edge 0 1 goes inwards and is found to meet something.
+  void expect_same(const BodyPlan& plan, const std::vector<Vec>& targets) {
+    const BodyAnswer all = move(make(plan, DSW_LEVEL_EDGES, 0), targets),
+                     back = move(make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES), targets);
+    ASSERT_EQ(all.contacts.size(), 1u);
+    EXPECT_EQ(all.contacts[0].vertex.index, 1u);
+    EXPECT_EQ(bits_of(back), bits_of(all));
+  }
 };
 
 TEST_F(BackEdgeTest, EdgesTowardsTheInsideAreLeftOut) {
@@ -76,6 +84,37 @@ TEST_F(BackEdgeTest, AnEdgeThatIsNotFreeWhereItArrivesIsFound) {
     for (const Vec& p : answer.after.at) bits[flags == 0 ? 0 : 1] += hex(p);
   }
   EXPECT_EQ(bits[0], bits[1]);
+}
+
+/// Edge 0 1 passes the impassable cube only where its ends arrive: vertex 1 comes from a cube beside that of vertex 0.
+TEST_F(BackEdgeTest, AnEdgeIsTestedFromTheVolumeWhereItsEndArrives) {
+  mark_volume(cube(1, 2, 1));
+  const BodyPlan plan = {{{1.08, 1.94, 1.02}, {1.08, 1.975, 2.98}, {0.2, 2.8, 0.3}, {3.98, 2.8, 0.3}},
+                         {},
+                         {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+  std::vector<Vec> targets = plan.at;
+  targets[0] = {1.08, 1.99, 1.005};
+  targets[1] = {1.08, 2.02, 2.82};
+  expect_same(plan, targets);
+}
+
+/// Both ends arrive in one volume that is not convex, and edge 0 1 passes the impassable face below.
+TEST_F(BackEdgeTest, AnEdgeThatArrivesInAVolumeThatIsNotConvexIsTested) {
+  Mesh grid = hex_grid(axis(4, 1), axis(4, 1), axis(3, 1));
+  grid.points[point(2, 2, 2)][2] = 2.4;
+  scene_.reset();
+  place_ = place_of(grid);
+  ASSERT_PLACE(place_);
+  scene_ = make_scene(place_.get());
+  const dsw_face_id top = {cube(2, 2, 1).index, cube(2, 2, 1).generation, 5};
+  ASSERT_EQ(dsw_environment_mark_faces(place_.get(), &top, 1, DSW_MARK_IMPASSABLE), DSW_STATUS_OK);
+  const BodyPlan plan = {{{1.92, 2.98, 2.26}, {3.04, 1.86, 2.36}, {1.5, 1.5, 0.5}, {3.5, 3.5, 2.05}},
+                         {},
+                         {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  std::vector<Vec> targets = plan.at;
+  targets[0] = {2.02, 2.88, 2.16};
+  targets[1] = {2.88, 2.02, 2.16};
+  expect_same(plan, targets);
 }
 
 /// Why faces are not left out in this way: p moves inwards, further than its body is thick. Its faces come out on the

@@ -65,7 +65,7 @@ class ShortEdgesTest : public testing::Test {
     const double radius = size * std::pow(10, large ? -rng.range(0.4, 1) : -rng.range(0.7, 2.5));
     const BodyPlan plan = ball(large || rng.chance(0.5) ? places.near(places.obstacle(0.5), 0.1) : places.start(),
                                radius, large ? 80 : 1 + rng.below(4));
-    const uint32_t flags = large ? 0 : kFlags[rng.below(std::size(kFlags))];
+    const uint32_t flags = kFlags[rng.below(large ? 4 : std::size(kFlags))];
     dsw_body_id bodies[2];
     for (int k = 0; k < 2; ++k) {
       if (create_body(scenes[k], plan, DSW_LEVEL_EDGES, flags, {}, &bodies[k]) != DSW_STATUS_OK) return;
