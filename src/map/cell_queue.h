@@ -1,6 +1,8 @@
 #pragma once
 // The cells a flood has met, each once, in the order of discovery. Keeps its memory from flood to flood.
 
+#include <algorithm>
+
 #include "base/memory.h"
 #include "map/map.h"
 
@@ -29,13 +31,19 @@ class CellQueue {
     return true;
   }
 
-  /** Last in, first out, so that no chain is broken before its end is gone; what a large flood left is not swept. */
+  /** What a large flood left is not swept after a small one: its cells are taken out, last in, first out, so that no chain is broken
+   * before its end is gone. */
   void clear() {
+    if (slots_.size() <= kFewSlots * cells_.size()) {
+      std::fill(slots_.begin(), slots_.end(), kNoCell);
+      cells_.clear();
+    }
     for (; !cells_.empty(); cells_.pop_back()) slots_[slot_of(cells_.back())] = kNoCell;
   }
 
  private:
   static constexpr size_t kFirstSlots = 64;
+  static constexpr size_t kFewSlots = 16;  // for a cell, to be filled at once
 
   size_t slot_of(Cell c) const {
     size_t slot = (c.unit * 0x9e3779b1u) & (slots_.size() - 1);

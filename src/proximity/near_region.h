@@ -56,12 +56,14 @@ class NearRegion {
   }
 
   /** Beyond which sides of the box a point is: a bit for each. A polytope may be in the region unless its corners have
-   * a bit in common. No bits, if the differences overflow. */
-  uint32_t outside(const double* point) const noexcept {
+   * a bit in common. No bits, if the differences overflow.
+   * @param of the sides that are looked at, by axis */
+  uint32_t outside(const double* point, uint32_t of = ~0u) const noexcept {
     const Vec at = to_vec<D>(point) - origin_;
     const double error = error_of(at);
     uint32_t bits = 0;
     for (int k = 0; k < D; ++k) {
+      if ((of >> 2 * k & 3) == 0) continue;
       const double x = dot(axes_[k], at);
       bits |= static_cast<uint32_t>(x - error > upper_[k]) << 2 * k;
       bits |= static_cast<uint32_t>(x + error < lower_[k]) << (2 * k + 1);

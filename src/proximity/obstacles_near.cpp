@@ -42,7 +42,7 @@ template <int D>
 uint32_t ObstacleFlood<D>::find_outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
   Known& known = known_[vertex % kKnown];
   known = {vertex, region.outside(env_.point(vertex))};
-  if (next_ != nullptr && known.bits != 0) known.bits &= region.outside(next_ + size_t{vertex} * D);
+  if (next_ != nullptr && known.bits != 0) known.bits &= region.outside(next_ + size_t{vertex} * D, known.bits);
   return known.bits;
 }
 
@@ -72,7 +72,7 @@ void ObstacleFlood<D>::visit_tetrahedron(Cell c, const NearRegion<D>& region, Ne
     }
     follow(c, f, bits, found);
   }
-  add_thin(c, bits, found);
+  if (has_thin()) add_thin(c, bits, found);
 }
 
 template <int D>
@@ -85,7 +85,7 @@ void ObstacleFlood<D>::visit(Cell c, const NearRegion<D>& region, NearList<D>& f
     for_each_facet_vertex<D>(shape, f, [&](uint32_t local) { all &= outside_[local]; });
     if (all == 0) follow(c, f, outside_.data(), found);
   }
-  add_thin(c, outside_.data(), found);
+  if (has_thin()) add_thin(c, outside_.data(), found);
 }
 
 template <int D>
@@ -105,7 +105,6 @@ void ObstacleFlood<D>::add_triangles(Cell c, uint32_t facet, const uint32_t* out
 
 template <int D>
 void ObstacleFlood<D>::add_thin(Cell c, const uint32_t* outside, NearList<D>& found) const {
-  if (env_.marked_edges == 0 && env_.marked_vertices == 0) return;
   const Shape shape = env_.map.shape(c);
   if constexpr (D == 3) {
     for_each_marked_edge(env_, c, shape, [&](uint32_t d) {
