@@ -29,7 +29,7 @@ const OuterWalls* walls_found(const MovingWalls<D>& walls) noexcept {
  * much less far; what is small beside a part costs little. */
 template <int D>
 void set_rooms(Array<Trajectory<D>>& trajectories) {
-  constexpr double kShare = 0.03125;  // of the longest way and the sizes
+  constexpr double kShare = 0.125;  // of the longest way and the sizes
   if (dsw::none_of(trajectories.begin(), trajectories.end(), [](const Trajectory<D>& of) { return of.is_led; })) return;
   double way = 0;
   for (const Trajectory<D>& of : trajectories) {
