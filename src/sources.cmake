@@ -14,6 +14,8 @@ list(APPEND dsw_sources
 
 # predicates: signs
 list(APPEND dsw_sources
+  predicates/cell_signs.cpp
+  predicates/cell_signs_avx2.cpp
   predicates/certified_hit.cpp
   predicates/certified_hit_fma.cpp
   predicates/certified_hits_fma.cpp
@@ -32,8 +34,6 @@ list(APPEND dsw_sources
   predicates/polynomial_halving.cpp
   predicates/polynomial_parts.cpp
   predicates/sweep_events.cpp
-  predicates/cell_signs.cpp
-  predicates/cell_signs_avx2.cpp
   predicates/touch.cpp
   predicates/turning_pair.cpp
   predicates/turning_pair_exact.cpp

@@ -109,11 +109,12 @@ bool SweepFlood<3>::read_corners(Cell c) {
 
 /** Reads a tetrahedron or a pyramid and finds its signs. False: nothing of it is met, as it lies beside the swept plane. */
 bool SweepFlood<3>::read_signs(Cell c, Form form) {
-  const uint32_t* const w = map_.record(c) + (form == Form::kSimplex ? 0 : kUnitWords<3>);
-  const uint32_t count = form == Form::kSimplex ? 4 : 5;
+  const bool is_tetrahedron = form == Form::kSimplex;
+  const uint32_t* const w = map_.record(c) + (is_tetrahedron ? 0 : kUnitWords<3>);
+  const uint32_t count = is_tetrahedron ? 4 : 5;
   const double* at[5];
   for (uint32_t i = 0; i < count; ++i) at[i] = env_.point(w[i] & kVertexMask);
-  if (!(form == Form::kSimplex ? kFindTetrahedronSigns : kFindPyramidSigns)(*triangle_, at, signs_)) return false;
+  if (!(is_tetrahedron ? kFindTetrahedronSigns : kFindPyramidSigns)(*triangle_, at, signs_)) return false;
   corners_.resize(count);
   for (uint32_t i = 0; i < count; ++i) corners_[i] = {at[i], w[i] & kVertexMask, 0, signs_.side[i]};
   return true;
@@ -124,7 +125,7 @@ int SweepFlood<3>::side(Corner& corner) const {
   return corner.side;
 }
 
-/** See SweptTriangle; the sides of both are known, and differ. */
+/** See SweptTriangle; the sides of both are known, and differ. A diagonal of a pyramid's base is asked apart. */
 uint32_t SweepFlood<3>::outside(const Corner& a, const Corner& b) {
   const uint32_t known = is_signed_ ? signs_.lines[&a - corners_.data()][&b - corners_.data()] : CellSigns::kNotAsked;
   if (known != CellSigns::kNotAsked) return known;
@@ -148,7 +149,7 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
 
 bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   const uint32_t first = shape.simplex_first(facet), last = shape.simplex_first(facet + 1);
-  if (last > first + 1 && !is_signed_) {
+  if (last > first + 1 && !is_signed_) {  // nothing is known to lie beyond corners of a cell that is signed
     uint32_t beyond = ~0u;
     for (uint32_t d = shape.facet_first(facet); d < shape.facet_first(facet + 1); ++d) {
       beyond &= corners_[shape.dart_vertex(d)].beyond;

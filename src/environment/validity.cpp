@@ -328,7 +328,7 @@ bool stays_valid(const Environment<D>& env, Cell c, const double* next) {
   const Shape shape = env.map.shape(c);
   // A simplex is looked at from its vertex 2, as in check_star.
   const bool is_simplex = env.map.form(c) == Form::kSimplex;
-  const uint32_t* const w = env.map.record(c);
+  const uint32_t* const w = env.map.record(c);  // the form is asked once
   const auto vertex = [&](uint32_t local) { return is_simplex ? w[local] & kVertexMask : env.map.vertex(c, local); };
   const auto start = [&](uint32_t local) { return env.point(vertex(local)); };
   const auto end = [&](uint32_t local) { return next + size_t{D} * vertex(local); };

@@ -19,7 +19,7 @@ class CellQueue {
   void insert(Cell c) {
     insert_if(c, [] { return true; });
   }
-  /** Inserts a cell that is not there, if admits(), which is asked of no other; returns whether it is there now. */
+  /** Inserts a cell if admits() says so, which is asked only if the cell is not there. Returns whether it is there afterwards. */
   template <class Admits>
   bool insert_if(Cell c, Admits admits) {
     const size_t slot = slot_of(c);
@@ -31,8 +31,8 @@ class CellQueue {
     return true;
   }
 
-  /** What a large flood left is not swept after a small one: its cells are taken out, last in, first out, so that no chain is broken
-   * before its end is gone. */
+  /** Of a small flood the cells are taken out one by one, so that a table grown by a large one is not swept: the last in first, so that
+   * no chain breaks. */
   void clear() {
     if (slots_.size() <= kFewSlots * cells_.size()) {
       std::fill(slots_.begin(), slots_.end(), kNoCell);

@@ -10,14 +10,13 @@ namespace dsw {
 
 struct CellSigns {
   static constexpr std::uint8_t kNotAsked = 0xff;
-  std::int8_t side[5];  // of each corner, as SweptTriangle::side
-  std::uint8_t lines[5]
-                    [5];  // of the edge between two corners on different sides, as SweptTriangle::outside; kNotAsked:
-                          // of a diagonal of a pyramid's base
+  // Of each corner, as SweptTriangle::side.
+  std::int8_t side[5];
+  // Of the edge between two corners on different sides, as SweptTriangle::outside. A diagonal of a pyramid's base is not asked.
+  std::uint8_t lines[5][5];
 };
 
-// A function of this type tells whether corners of the cell lie on different sides of the plane; only then lines are
-// asked.
+// Tells whether corners of the cell lie on different sides of the plane. Only then lines are asked.
 using FindCellSigns = bool (*)(const SweptTriangle& triangle, const double* const* corners, CellSigns& signs) noexcept;
 
 bool find_tetrahedron_signs(const SweptTriangle& triangle, const double* const* corners, CellSigns& signs) noexcept;

@@ -141,8 +141,8 @@ struct Sides {
   unsigned above;
   bool differ;
 
-  DSW_HOT Sides(const SweptTriangle& triangle, const double* const* corners, const Lanes3& start,
-                std::int8_t (&side)[5]) noexcept {
+  DSW_NOINLINE Sides(const SweptTriangle& triangle, const double* const* corners, const Lanes3& start,
+                     std::int8_t (&side)[5]) noexcept {
     const Tested sides(dot(all(triangle.normal()), start), larger(absolute(start), all(triangle.reach())));
     above = positive(sides.det);
     const unsigned sure = sides.certain();

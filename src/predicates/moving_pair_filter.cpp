@@ -90,8 +90,8 @@ class Filter {
     return true;
   }
 
-  // The side at the start, if the ways are too short for another one; else 0. A determinant whose entries are at most 1 is at most 4, in
-  // the plane 2. What changes is a sum of such determinants, each with one column of differences and others of what lies between the rows.
+  // The side at the start, if the ways are too short to change it; else 0. By Hadamard a determinant of entries up to 1 is at most 4, in
+  // the plane 2. The change is a sum of D determinants, each with one column of ways.
   int plain_side() const noexcept {
     const auto& s = row_[0];
     double way[D] = {};
@@ -106,7 +106,7 @@ class Filter {
       volume = s[0][0] * s[1][1] - s[0][1] * s[1][0];
       change = 2 * (way[0] * extent_[1] + extent_[0] * way[1]);
     }
-    // The error is that of one of the coefficients, and is more than what `way` and the products lose.
+    // The volume loses at most 50 roundings of the product of the extents, and the change 24: less than the error of a coefficient.
     if (!(std::fabs(volume) > (1 + 0x1p-40) * change + 2 * search_.volume_error)) return 0;
     return volume > 0 ? 1 : -1;
   }

@@ -33,7 +33,7 @@ class NearRegion {
       upper_[k] = std::max(upper_[k], x + error + reach_);
     }
   }
-  /** All that is within reach of an axis-parallel box with these corners, too, and what lies between. */
+  /** Extends the region by all that is within reach of this axis-parallel box. */
   void add_box(const double* low, const double* high) noexcept {
     const Vec first = to_vec<D>(low) - origin_, last = to_vec<D>(high) - origin_;
     const double error = error_of(first) + error_of(last);
@@ -57,18 +57,18 @@ class NearRegion {
 
   /** Beyond which sides of the box a point is: a bit for each. A polytope may be in the region unless its corners have
    * a bit in common. No bits, if the differences overflow.
-   * @param of the sides that are looked at, by axis */
-  uint32_t outside(const double* point, uint32_t of = ~0u) const noexcept {
+   * @param among the bits that are of interest: axes without one of them are not looked at */
+  uint32_t outside(const double* point, uint32_t among = ~0u) const noexcept {
     const Vec at = to_vec<D>(point) - origin_;
     const double error = error_of(at);
     uint32_t bits = 0;
     for (int k = 0; k < D; ++k) {
-      if ((of >> 2 * k & 3) == 0) continue;
+      if ((among >> 2 * k & 3) == 0) continue;
       const double x = dot(axes_[k], at);
       bits |= static_cast<uint32_t>(x - error > upper_[k]) << 2 * k;
       bits |= static_cast<uint32_t>(x + error < lower_[k]) << (2 * k + 1);
     }
-    return bits;
+    return bits & among;
   }
 
  private:

@@ -42,7 +42,7 @@ template <int D>
 uint32_t ObstacleFlood<D>::find_outside(uint32_t vertex, const NearRegion<D>& region) noexcept {
   Known& known = known_[vertex % kKnown];
   known = {vertex, region.outside(env_.point(vertex))};
-  if (next_ != nullptr && known.bits != 0) known.bits &= region.outside(next_ + size_t{vertex} * D, known.bits);
+  if (next_ != nullptr && known.bits != 0) known.bits = region.outside(next_ + size_t{vertex} * D, known.bits);
   return known.bits;
 }
 

@@ -46,7 +46,7 @@ class ObstacleFlood {
   void follow(Cell c, uint32_t facet, const uint32_t* outside, NearList<D>& found);
   void add_triangles(Cell c, uint32_t facet, const uint32_t* outside, NearList<D>& found) const;
   bool has_thin() const { return env_.marked_edges != 0 || env_.marked_vertices != 0; }
-  void add_thin(Cell c, const uint32_t* outside, NearList<D>& found) const;
+  DSW_COLD void add_thin(Cell c, const uint32_t* outside, NearList<D>& found) const;
 
   const Environment<D>& env_;
   const double* next_ = nullptr;

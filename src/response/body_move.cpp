@@ -26,20 +26,11 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
   record.clear();
   star_.simplices.max_volumes = settings.max_volumes;
   start(body, targets, order);
-  const bool edits = settings.may_edit();
   keep_forecasts(body);
   before_.assign(body.vertices.begin(), body.vertices.end());
   Array<Body<D>> whole(env_.memory);  // one, or none
-  if (edits) whole.push_back(body);
+  if (settings.may_edit()) whole.push_back(body);
   untested_.assign(body.untested.begin(), body.untested.end());
-  const auto go_back = [&] {
-    if (edits) {
-      std::swap(body, whole[0]);
-    } else {
-      put_vertices(body, before_.data());
-      std::copy(untested_.begin(), untested_.end(), body.untested.begin());
-    }
-  };
   try {
     const Skipping& skipping = body.skipping;
     const bool may_skip =
@@ -48,19 +39,15 @@ void BodyMove<D>::move(Body<D>& body, PointArray targets, MoveOrder order, const
     tested_.assign(may_skip ? body.edges.size() : 0, 0);
     if (!run(settings, record, may_skip)) {
       // An edge that was left out is not free where it ends: once more, and nothing is left out.
-      if (edits) {
-        Body<D> again = whole[0];
-        std::swap(body, again);
-      } else {
-        go_back();
-      }
+      Array<Body<D>> again = whole;
+      go_back(body, again);
       record.clear();
       start(body, targets, order);
       run(settings, record, false);
     }
     if (settings.noise_share > 0) remove_noise(body, settings.noise_share, record);
   } catch (...) {
-    go_back();
+    go_back(body, whole);
     restore_forecasts(body);
     throw;
   }
@@ -153,6 +140,14 @@ void BodyMove<D>::record_first(const Body<D>& body, uint32_t v, const double* to
   }
 }
 
+/** Makes a body what it was before the move: if edges may have changed, `whole`. */
+template <int D>
+void BodyMove<D>::go_back(Body<D>& body, Array<Body<D>>& whole) {
+  if (!whole.empty()) return std::swap(body, whole[0]);
+  put_vertices(body, before_.data());
+  std::copy(untested_.begin(), untested_.end(), body.untested.begin());
+}
+
 template <int D>
 void BodyMove<D>::start(Body<D>& body, PointArray targets, MoveOrder order) {
   star_.near = nullptr;
@@ -167,8 +162,8 @@ template <int D>
 bool BodyMove<D>::run(const MoveSettings& settings, MoveRecord& record, bool may_skip) {
   sweep_all(may_skip, true);
   if (!finish(settings, record, may_skip)) return false;
-  // An edge that was left out has been cast where its ends arrive, or its later end has moved alone, from a place where the edge was
-  // free: each neighbour of what does not arrive does so. New edges are tested as long as nothing is left out.
+  // Every edge that was left out is free now: it was cast where its ends arrive, or its later end moved alone and the edge was cast
+  // before. After an edit the edges of vertices that do not arrive are cast, too.
   const auto is_free = [&](uint32_t v) {
     find_asked(v, false);
     return casts_.are_free(v, asked_);
@@ -243,8 +238,8 @@ bool BodyMove<D>::finish(const MoveSettings& settings, MoveRecord& record, bool 
 }
 
 /** Before a vertex moves alone: finds which of its edges have to be cast to know whether they are free where they are.
- * @param may_know the move has changed no edge. Then an edge whose other end has not moved is what it was before the move, and one
- * whose other end has moved was tested at the turn of this end, if the end moved alone, or had no doubt and left out no edge to v. */
+ * @param may_know the move has changed no edge. Then an edge needs no cast in two cases: its other end has not moved, and the edge was
+ * free before the move; or its other end has moved, and the edge was tested at that turn. */
 template <int D>
 void BodyMove<D>::find_asked(uint32_t v, bool may_know) {
   const Body<D>& body = *course_.motion.body;

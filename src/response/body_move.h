@@ -51,6 +51,7 @@ class BodyMove {
 
  private:
   void record_first(const Body<D>& body, uint32_t v, const double* to, MoveRecord& record);
+  DSW_COLD void go_back(Body<D>& body, Array<Body<D>>& whole);
   void start(Body<D>& body, PointArray targets, MoveOrder order);
   bool run(const MoveSettings& settings, MoveRecord& record, bool may_skip);
   void sweep_all(bool may_skip, bool may_guess);
@@ -82,7 +83,7 @@ class BodyMove {
     uint32_t edge;
     uint8_t untested;
   };
-  Array<uint8_t> tested_{env_.memory};  // by edge: it was free after its earlier end had moved alone
+  Array<uint8_t> tested_{env_.memory};  // by edge: tested when one of its ends moved alone
   Array<Left> left_{env_.memory};       // edges of a vertex that moves alone, whose other ends have their turns later
   Array<uint32_t> asked_{env_.memory};  // edges of a vertex that moves alone which are cast where they are
   Array<BodyVertex<D>> before_{env_.memory};  // to go back to

@@ -67,7 +67,7 @@ void CourseCasts<D>::run_edges() {
   packet_.clear();
 }
 
-/** Calls visit(edge) for each of these edges of a vertex that is not free where it is, until it returns false; whether it never did. */
+/** Casts these edges of a vertex. Calls visit(edge) for each that is not free, until it returns false. Returns whether it never did. */
 template <int D>
 template <class Visit>
 bool CourseCasts<D>::visit_blocked(uint32_t v, const Array<uint32_t>& edges, Visit visit) {

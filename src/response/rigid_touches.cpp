@@ -54,11 +54,7 @@ void RigidTouches<D>::find_obstacles(const Body<D>& body, const RigidWay<D>& way
   for (uint32_t piece = 0; piece <= last_piece(way); ++piece) all.add(way.box(piece));
   const double* const corners[2] = {all.lower, all.upper};
   NearRegion<D> region(corners, 1, beside);
-  double at[D];
-  for (uint32_t bits = 1; bits < 1u << D; ++bits) {
-    for (uint32_t k = 0; k < D; ++k) at[k] = corners[(bits >> k) & 1][k];
-    region.add(at);
-  }
+  region.add_box(all.lower, all.upper);
   flood_.find(&body.vertices[v].cell, 1, region, obstacles_);
   while (++v < body.vertices.size()) {
     if (body.has_vertex(v)) flood_.find_from(body.vertices[v].cell, region, obstacles_);

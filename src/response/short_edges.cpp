@@ -136,6 +136,7 @@ uint32_t ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, S
     const uint32_t(&ends)[2] = course_.motion.body->edges[edges[i]].ends;
     const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
     const Cell cell = ways[ends[1 - k]].arrival;
+    DSW_ASSERT(cell.valid());
     if (!env_.map.convex(cell)) continue;
     if (cell == ways[ends[k]].arrival) {
       seen.second |= uint64_t{1} << i;

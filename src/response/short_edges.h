@@ -59,7 +59,8 @@ class ShortEdges {
   bool has_others() const { return has_others_; }
   /** What is seen of at most kMost edges. Of an end that does not move nothing is told. */
   Seen find(const uint32_t* edges, uint32_t count);
-  /** Which of at most kMost edges are seen to be free where their ends arrive, a bit each. Their ends were not in doubt at the start. */
+  /** Which of at most kMost edges are seen to be free where their ends arrive, a bit each.
+   * @pre no end is in doubt at the start. */
   uint64_t find_arrivals(const uint32_t* edges, uint32_t count);
 
  private:

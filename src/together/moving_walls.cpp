@@ -68,13 +68,20 @@ template <int D>
 void MovingWalls<D>::start(Array<Trajectory<D>>& trajectories) {
   counts = {};
   contacts.clear();
-  const size_t invalid_before = invalid_->size();
+  stay_valid_ = true;
   checked_.clear();
   collect_all(trajectories);
-  stay_valid_ = are_valid_from(0);
+  check_from(0, trajectories);
+}
+
+/** Finds out whether cells that are met stay valid, too, from one on. Those count that the ways meet, and not those in the room beside
+ * them: if one does not, the rooms are given up. */
+template <int D>
+void MovingWalls<D>::check_from(size_t first, Array<Trajectory<D>>& trajectories) {
+  const size_t invalid_before = invalid_->size();
+  stay_valid_ = are_valid_from(first) && stay_valid_;
   const auto has_room = [](const Trajectory<D>& of) { return of.beyond > 0; };
   if (stay_valid_ || dsw::none_of(trajectories.begin(), trajectories.end(), has_room)) return;
-  // Cells count that the ways meet, and not those in the room beside them.
   invalid_->resize(invalid_before);
   tighten(trajectories);
 }
@@ -90,7 +97,7 @@ void MovingWalls<D>::tighten(Array<Trajectory<D>>& trajectories) {
 }
 
 template <int D>
-void MovingWalls<D>::collect_again(const Array<Trajectory<D>>& trajectories) {
+void MovingWalls<D>::collect_again(Array<Trajectory<D>>& trajectories) {
   const size_t before = checked_.size();
   for (Near& near : nears_) {
     const Trajectory<D>& of = trajectories[near.trajectory];
@@ -98,7 +105,7 @@ void MovingWalls<D>::collect_again(const Array<Trajectory<D>>& trajectories) {
     if (!near.has_edge && of.has_new_rooms(corners)) collect(of, near);
   }
   finish_round();
-  stay_valid_ = are_valid_from(before) && stay_valid_;
+  check_from(before, trajectories);
 }
 
 template <int D>
@@ -201,7 +208,7 @@ uint32_t MovingWalls<D>::add_obstacles(uint32_t outer, bool is_thick) {
   return outer;
 }
 
-/** Notes that the cells of the last flood have to stay valid. */
+/** Notes that the cells of the last flood have to stay valid. Throws if one of their points goes to a place that is not finite. */
 template <int D>
 void MovingWalls<D>::check_cells() {
   for (size_t i = 0; i < flood_.cells().size(); ++i) {

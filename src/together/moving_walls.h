@@ -50,7 +50,7 @@ class MovingWalls {
   // Points whose ways are shortened, each for itself.
   HeldPoints<D> held{env_};
   /** Finds what comes near the parts whose vertices have new rooms, and the cells that are met there. */
-  void collect_again(const Array<Trajectory<D>>& trajectories);
+  void collect_again(Array<Trajectory<D>>& trajectories);
   /** Leaves what is beyond the ways out of the rooms: from now on cells are met that have to stay valid with points that are
    * held, and no more of these than need be. */
   void tighten(Array<Trajectory<D>>& trajectories);
@@ -114,6 +114,7 @@ class MovingWalls {
   void check_cells();
   uint32_t add_obstacles(uint32_t outer, bool is_thick);
   bool are_valid_from(size_t first);
+  void check_from(size_t first, Array<Trajectory<D>>& trajectories);
   void add_features(const Trajectory<D>& of, const Simplex& part);
   template <class Visit>
   bool visit_touches(const Array<Trajectory<D>>& trajectories, Visit visit);

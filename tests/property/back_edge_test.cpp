@@ -36,8 +36,11 @@ class BackEdgeTest : public BodyTest {
     EXPECT_EQ(dsw_body_destroy(scene(), body), DSW_STATUS_OK);
     return answer;
   }
-  /// Edge 0 1 goes inwards and is found to meet something.
-  void expect_same(const BodyPlan& plan, const std::vector<Vec>& targets) {
+  /// Vertices 0 and 1 go to these places. Their edge goes inwards and is found to meet something.
+  void expect_same(const BodyPlan& plan, const Vec& first, const Vec& second) {
+    std::vector<Vec> targets = plan.at;
+    targets[0] = first;
+    targets[1] = second;
     const BodyAnswer all = move(make(plan, DSW_LEVEL_EDGES, 0), targets),
                      back = move(make(plan, DSW_LEVEL_EDGES, DSW_BODY_SKIP_BACK_EDGES), targets);
     ASSERT_EQ(all.contacts.size(), 1u);
@@ -92,10 +95,7 @@ TEST_F(BackEdgeTest, AnEdgeIsTestedFromTheVolumeWhereItsEndArrives) {
   const BodyPlan plan = {{{1.08, 1.94, 1.02}, {1.08, 1.975, 2.98}, {0.2, 2.8, 0.3}, {3.98, 2.8, 0.3}},
                          {},
                          {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
-  std::vector<Vec> targets = plan.at;
-  targets[0] = {1.08, 1.99, 1.005};
-  targets[1] = {1.08, 2.02, 2.82};
-  expect_same(plan, targets);
+  expect_same(plan, {1.08, 1.99, 1.005}, {1.08, 2.02, 2.82});
 }
 
 /// Both ends arrive in one volume that is not convex, and edge 0 1 passes the impassable face below.
@@ -111,10 +111,7 @@ TEST_F(BackEdgeTest, AnEdgeThatArrivesInAVolumeThatIsNotConvexIsTested) {
   const BodyPlan plan = {{{1.92, 2.98, 2.26}, {3.04, 1.86, 2.36}, {1.5, 1.5, 0.5}, {3.5, 3.5, 2.05}},
                          {},
                          {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-  std::vector<Vec> targets = plan.at;
-  targets[0] = {2.02, 2.88, 2.16};
-  targets[1] = {2.88, 2.02, 2.16};
-  expect_same(plan, targets);
+  expect_same(plan, {2.02, 2.88, 2.16}, {2.88, 2.02, 2.16});
 }
 
 /// Why faces are not left out in this way: p moves inwards, further than its body is thick. Its faces come out on the

@@ -209,6 +209,54 @@ TEST_F(TogetherDeformMoreTest, AWallThatRestsOnABodyDoesNotComeNearer) {
   EXPECT_EQ(walls[0].time, 0);
 }
 
+/// A vertex slides along an oblique wall, and out of the box of its way. What turns over beside the new way, where nothing goes, is
+/// no concern of it.
+TEST(TogetherDeformRooms, WhatTurnsOverBesideAWayDoesNotShortenIt) {
+  constexpr double kSize = 1.0 / 32;
+  std::vector<double> along, across;
+  for (int i = -10; i <= 40; ++i) along.push_back(kSize * i);
+  for (int i = -1; i <= 24; ++i) across.push_back(kSize * i);
+  Mesh mesh = hex_grid(along, across, {0, kSize, 2 * kSize});
+  size_t turning = mesh.points.size();
+  for (size_t i = 0; i < mesh.points.size(); ++i) {
+    Vec& p = mesh.points[i];
+    if (p == Vec{18 * kSize, 5 * kSize, kSize}) turning = i;
+    p = {p[0] - p[1], p[0] + p[1], p[2]};  // the wall goes where both grow
+  }
+  ASSERT_LT(turning, mesh.points.size());
+  std::vector<Vec> ends;
+  for (const bool turns : {false, true}) {
+    const Place place = place_of(mesh);
+    ASSERT_PLACE(place);
+    ScenePtr scene = make_scene(place.get(), DSW_FEATURE_DEFORMING);
+    dsw_body_id body;
+    const Vec start = {0.001, 0.002, 1.4 * kSize}, target = {1, 0.002, 1.4 * kSize};
+    ASSERT_EQ(create_body(scene.get(), {{start}, {}, {}}, DSW_LEVEL_POINTS, 0, {}, &body), DSW_STATUS_OK)
+        << dsw_last_error_message();
+    std::vector<double> next;
+    for (const Vec& p : mesh.points) next.insert(next.end(), p.begin(), p.end());
+    if (turns) {
+      for (const size_t k : {0u, 1u}) next[3 * turning + k] += 3 * kSize;
+    }
+    dsw_scene_deform_options options = defaults(dsw_scene_deform_options_init);
+    options.stop = DSW_TOGETHER_STOP_FEATURE;
+    options.response = DSW_TOGETHER_RESPONSE_SLIDE;
+    dsw_deform_report report;
+    ASSERT_EQ(dsw_scene_deform(scene.get(), next.data(), mesh.points.size(), &body, 1, target.data(), 1, 0, &options,
+                               &report, nullptr),
+              DSW_STATUS_OK)
+        << dsw_last_error_message();
+    EXPECT_EQ(report.fraction, 1);
+    EXPECT_EQ(report.outcome, DSW_DEFORM_DONE);
+    EXPECT_EQ(report.invalid_count, 0u);
+    BodyState state;
+    ASSERT_EQ(read_body(scene.get(), body, state), "");
+    ends.push_back(state.at[0]);
+  }
+  EXPECT_GT(ends[0][1], 0.4);  // it has slid, farther than the room beside its way
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
 TEST_F(TogetherDeformMoreTest, HugeWaysAreAnswered) {
   Rng rng(4);
   std::deque<std::vector<double>> arrays;
