@@ -31,8 +31,8 @@ class CellQueue {
     return true;
   }
 
-  /** Of a small flood the cells are taken out one by one, so that a table grown by a large one is not swept: the last in first, so that
-   * no chain breaks. */
+  /** A small flood takes its cells out one by one, the last in first, so that no chain breaks: a table that a large one has made is
+   * not swept. */
   void clear() {
     if (slots_.size() <= kFewSlots * cells_.size()) {
       std::fill(slots_.begin(), slots_.end(), kNoCell);

@@ -10,9 +10,8 @@ namespace dsw {
 
 struct CellSigns {
   static constexpr std::uint8_t kNotAsked = 0xff;
-  // Of each corner, as SweptTriangle::side.
-  std::int8_t side[5];
-  // Of the edge between two corners on different sides, as SweptTriangle::outside. A diagonal of a pyramid's base is not asked.
+  std::int8_t side[5];  // of each corner, as SweptTriangle::side
+  // What SweptTriangle::outside says of the edge between two corners on different sides. A diagonal of a pyramid's base is not asked.
   std::uint8_t lines[5][5];
 };
 
