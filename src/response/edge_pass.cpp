@@ -52,29 +52,26 @@ void EdgePass<D>::pass_places() {
       continue;
     }
     const uint64_t part = (~uint64_t{0} >> (64 - some)) << i;
-    count_plain<Back>(plain & part);
+    count_plain<Back>(plain & part, seen.inwards);
     for (uint64_t rest = part & ~plain; rest != 0; rest &= rest - 1) cast(lowest_bit(rest));
     i += some;
   }
 }
 
-/** Counts the tests of edges of the chunk that are seen to be free. */
+/** Counts the tests of edges of the chunk that are seen to be free. @param inwards the edges with an end that goes inwards: of the
+ * others no test is left out, and the sieve has noted that they are tested. */
 template <int D>
 template <BackEdges Back>
-void EdgePass<D>::count_plain(uint64_t which) {
+void EdgePass<D>::count_plain(uint64_t which, uint64_t inwards) {
   if (which == 0) return;
   const uint32_t tests = 2 * bit_count(which);
   uint32_t left_tests = 0;
   sweeps_.counts.swept += tests;
   if (Back != BackEdges::kCast) {
     Body<D>& body = *course_.motion.body;
-    for (; which != 0; which &= which - 1) {
+    for (which &= inwards; which != 0; which &= which - 1) {
       const uint32_t e = sieve_.begin()[lowest_bit(which)];
       const BodyEdge& edge = body.edges[e];
-      if (sieve_.goes_outwards(edge)) {
-        if (Back == BackEdges::kLeft) body.untested[e] = 0;
-        continue;
-      }
       const Left left =
           left_out<Back>(course_.vertices[edge.ends[0]], course_.vertices[edge.ends[1]], edge.faces[1] != kNone);
       left_tests += left.tests;

@@ -31,7 +31,7 @@ class EdgePass {
   template <BackEdges Back>
   void pass_places();
   template <BackEdges Back>
-  void count_plain(uint64_t which);
+  void count_plain(uint64_t which, uint64_t inwards);
   template <BackEdges Back>
   static Left left_out(const Vertex& a, const Vertex& b, bool is_closed);
   template <BackEdges Back>

@@ -10,6 +10,19 @@
 #include "sweep/clearance.h"
 
 namespace dsw {
+namespace {
+
+/** Gives those of some edges that have two faces. */
+uint64_t closed(const BodyEdge* edges, uint64_t which) {
+  uint64_t bits = 0;
+  for (; which != 0; which &= which - 1) {
+    const uint32_t i = lowest_bit(which);
+    bits |= uint64_t{edges[i].faces[1] != kNone ? 1u : 0u} << i;
+  }
+  return bits;
+}
+
+}  // namespace
 
 template <int D>
 void EdgeSieve<D>::start(bool may_skip) {
@@ -108,21 +121,12 @@ void EdgeSieve<D>::sift() {
 template <int D>
 typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t count, bool skips_back) const {
   const BodyEdge* const edges = course_.motion.body->edges.data() + first;
-  const uint32_t* const words = short_.words();
-  const EdgeBits bits = kReadTurnWords(edges, count, words);
+  const EdgeBits bits = kReadTurnWords(edges, nullptr, count, short_.words());
   Sifted sifted;
   sifted.inside = bits.shared & ~bits.odd;
   if (skips_back) {
-    for (uint64_t rest = bits.inwards & ~bits.shared & ~bits.odd; rest != 0; rest &= rest - 1) {
-      const uint32_t i = lowest_bit(rest);
-      sifted.back |= uint64_t{edges[i].faces[1] != kNone ? 1u : 0u} << i;
-    }
-    for (uint64_t rest = course_.motion.body->skipping.by_environment ? 0 : sifted.inside; rest != 0;
-         rest &= rest - 1) {
-      const uint32_t i = lowest_bit(rest), either = words[edges[i].ends[0]] | words[edges[i].ends[1]];
-      const uint32_t closed = edges[i].faces[1] != kNone ? 1 : 0;
-      sifted.inwards |= uint64_t{closed & either / TurnWord::kInwards} << i;
-    }
+    sifted.back = closed(edges, bits.inwards & ~bits.shared & ~bits.odd);
+    if (!course_.motion.body->skipping.by_environment) sifted.inwards = closed(edges, sifted.inside & bits.either);
   }
   sifted.kept = bits.used & ~(sifted.inside | sifted.back | bits.odd);
   for (uint64_t odd = bits.odd; odd != 0; odd &= odd - 1) {
@@ -155,7 +159,7 @@ void EdgeSieve<D>::count_sifted(uint32_t first, const Sifted& block, bool leaves
   sweeps_.counts.swept += dropped;
   if (leaves) {
     uint8_t* const untested = body.untested.data() + first;
-    // What is kept is noted when it is tested.
+    // What is kept counts as tested, unless its last test is left later.
     const uint64_t moving = block.inside | block.back | block.kept;
     if ((moving & (moving + 1)) == 0) {
       std::fill_n(untested, moving + 1 != 0 ? lowest_bit(moving + 1) : 64, uint8_t{0});

@@ -29,11 +29,6 @@ class EdgeSieve {
   const uint32_t* begin() const { return chunk_; }
   const uint32_t* end() const { return chunk_ + count_; }
   uint32_t count() const { return count_; }
-  /** Whether both ends of an edge are known not to go inwards. Where edges may be sifted or seen. */
-  bool goes_outwards(const BodyEdge& edge) const {
-    const uint32_t* const words = short_.words();
-    return ((words[edge.ends[0]] | words[edge.ends[1]]) & TurnWord::kInwards) == 0;
-  }
   /** Which edges of the chunk are seen to be free where their ends go. At EDGES, where no corridors are kept. */
   typename ShortEdges<D>::Seen find_short() {
     return sees() ? short_.find(chunk_, count_) : typename ShortEdges<D>::Seen{};

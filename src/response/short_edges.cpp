@@ -55,8 +55,8 @@ void ShortEdges<D>::start(bool looks) {
   for (uint32_t i = 0; i < doubts; ++i) {
     if (!ways[in_doubt_[i]].arrival.valid()) doubt_neighbours(in_doubt_[i]);
   }
-  looked_.assign(count, kNone);
-  told_.resize(count);
+  asked_.assign(count, Asked{});
+  answers_.clear();
 }
 
 /** Notes that neighbours which have their turns after a vertex that does not arrive will be in doubt. */
@@ -72,66 +72,56 @@ void ShortEdges<D>::doubt_neighbours(uint32_t v) {
 template <int D>
 typename ShortEdges<D>::Seen ShortEdges<D>::find(const uint32_t* edges, uint32_t count) {
   Seen seen;
-  tell(edges, gather(edges, count, seen), seen);
+  gather(edges, count, seen);
+  tell(edges, seen);
   return seen;
 }
 
 template <int D>
 uint64_t ShortEdges<D>::find_arrivals(const uint32_t* edges, uint32_t count) {
   Seen seen;
-  tell(edges, gather_arrivals(edges, count, seen), seen);
+  gather_arrivals(edges, count, seen);
+  tell(edges, seen);
   return seen.second;
 }
 
-/** Asks what has been gathered of edges, and tells which of them are seen to be free. */
+/** Answers what is asked of edges, and tells which of them are seen to be free. */
 template <int D>
-void ShortEdges<D>::tell(const uint32_t* edges, uint32_t pairs, Seen& seen) {
-  if (pairs == 0) return;
-  ask(pairs);
-  for (uint32_t i = 0; i < pairs; ++i) {
+void ShortEdges<D>::tell(const uint32_t* edges, Seen& seen) {
+  if (question_count_ != 0) answer();
+  for (uint32_t i = 0; i < pair_count_; ++i) {
     const Pair& pair = pairs_[i];
-    const uint32_t number = of_pairs_[i].what ^ kAsked;
-    const Told told = number < kMostPairs ? answers_[number] : of_pairs_[i];
-    uint32_t turns = told.what == course_.motion.ways[pair.vertex].arrival.unit ? pair.turns : 0u;
-    const uint32_t facets = told.what ^ kSeveral;
-    if (facets < kSeveral) turns |= leads(pair, told.cell, facets, edges);
+    const Answer& told = answers_[pair.question];
+    uint32_t turns = told.facets / Answer::kReached * pair.turns;
+    if (told.facets - 1 < Answer::kReached - 1) turns = leads(pair, told, edges);
     seen.first |= uint64_t{turns & kFirst} << pair.place;
     seen.second |= uint64_t{turns >> 1} << pair.place;
   }
+  pair_count_ = 0;
 }
 
-/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
+/** Sees the edges that stay in one cell, and gathers what has to be asked of the others. */
 template <int D>
-uint32_t ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen) {
+void ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen) {
   const BodyEdge* const of = course_.motion.body->edges.data();
   const typename Course<D>::Vertex* const vertices = course_.vertices.data();
-  const VertexWay* const ways = course_.motion.ways.data();
   const uint32_t* const words = now_.data();
   const bool in_a_row = count != 0 && edges[count - 1] - edges[0] == count - 1;
-  const EdgeBits bits =
-      in_a_row ? kReadTurnWords(of + edges[0], count, words) : kReadNamedTurnWords(of, edges, count, words);
-  uint32_t pairs = 0;
+  const EdgeBits bits = kReadTurnWords(in_a_row ? of + edges[0] : of, in_a_row ? nullptr : edges, count, words);
   for (uint64_t rest = bits.stay & ~bits.shared; rest != 0; rest &= rest - 1) {
     const uint32_t i = lowest_bit(rest);
     const uint32_t(&ends)[2] = of[edges[i]].ends;
     const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
-    pairs_[pairs++] = {ends[k], words[ends[1 - k]] >> TurnWord::kBits, static_cast<uint8_t>(i), kFirst | kSecond};
+    add(ends[k], words[ends[1 - k]] >> TurnWord::kBits, i, kFirst | kSecond);
   }
-  seen = {bits.shared, bits.shared, bits.used & ~bits.odd};
-  for (uint64_t rest = bits.used & ~bits.stay; rest != 0; rest &= rest - 1) {
-    const uint32_t i = lowest_bit(rest);
-    const uint32_t(&ends)[2] = of[edges[i]].ends;
-    const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
-    if (ways[ends[k]].arrival.valid()) pairs = add_turns(edges, i, pairs, seen);
-  }
-  return pairs;
+  seen = {bits.shared, bits.shared, bits.used & ~bits.odd, bits.either};
+  for (uint64_t rest = bits.used & ~bits.stay; rest != 0; rest &= rest - 1) add_turns(edges, lowest_bit(rest), seen);
 }
 
-/** Sees the edges that arrive in one cell, and gathers what has to be asked of the others. Returns how many pairs there are. */
+/** Sees the edges that arrive in one cell, and gathers what has to be asked of the others. */
 template <int D>
-uint32_t ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen) {
+void ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen) {
   const VertexWay* const ways = course_.motion.ways.data();
-  uint32_t pairs = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t(&ends)[2] = course_.motion.body->edges[edges[i]].ends;
     const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
@@ -141,98 +131,93 @@ uint32_t ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, S
     if (cell == ways[ends[k]].arrival) {
       seen.second |= uint64_t{1} << i;
     } else {
-      pairs_[pairs++] = {ends[k], cell.unit, static_cast<uint8_t>(i), kSecond};
+      add(ends[k], cell.unit, i, kSecond);
     }
   }
-  return pairs;
 }
 
-/** An edge whose ends do not both stay in a convex cell is asked about at each turn. Returns how many pairs there are then. */
+/** Gathers what is asked at each turn of an edge whose ends do not both stay in a convex cell. */
 template <int D>
-uint32_t ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen) {
+void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, Seen& seen) {
   const uint32_t(&ends)[2] = course_.motion.body->edges[edges[place]].ends;
   const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
   const uint32_t v = ends[k];
   const VertexWay& way = course_.motion.ways[ends[1 - k]];
   const Cell target = course_.motion.ways[v].arrival;
-  const auto add = [&](Cell cell, uint32_t turns, uint64_t& of_turn) {
+  if (!target.valid()) return;
+  const auto add_turn = [&](Cell cell, uint32_t turns, uint64_t& of_turn) {
     if (!cell.valid() || !env_.map.convex(cell)) return;
     if (cell == target) {
       of_turn |= uint64_t{1} << place;
       if (turns == (kFirst | kSecond)) seen.second |= uint64_t{1} << place;
     } else {
-      pairs_[pairs++] = {v, cell.unit, static_cast<uint8_t>(place), static_cast<uint8_t>(turns)};
+      add(v, cell.unit, place, turns);
     }
   };
   if (way.from == way.arrival) {
-    add(way.from, kFirst | kSecond, seen.first);
+    add_turn(way.from, kFirst | kSecond, seen.first);
   } else {
-    add(way.from, kFirst, seen.first);
-    add(way.arrival, kSecond, seen.second);
-  }
-  return pairs;
-}
-
-/** Looks at the cells that were not looked at for the same vertex before. */
-template <int D>
-void ShortEdges<D>::ask(uint32_t pairs) {
-  uint32_t asked = 0;
-  Cell cells[kMostPairs];
-  const double* points[kMostPairs];
-  for (uint32_t i = 0; i < pairs; ++i) {
-    const uint32_t v = pairs_[i].vertex, cell = pairs_[i].cell;
-    if (looked_[v] != cell) {
-      looked_[v] = cell;
-      told_[v].what = kAsked | asked;
-      askers_[asked] = v;
-      cells[asked] = {cell};
-      points[asked++] = course_.place(v, kNone);
-    }
-    of_pairs_[i] = told_[v];
-  }
-  answer(asked, cells, points);
-  for (uint32_t i = 0; i < asked; ++i) {
-    Told& told = told_[askers_[i]];
-    if (told.what == (kAsked | i)) told = answers_[i];
+    add_turn(way.from, kFirst, seen.first);
+    add_turn(way.arrival, kSecond, seen.second);
   }
 }
 
-/** Answers so many questions: goes from cell to cell while one facet alone has the target outside. Writes cells and points. */
+/** Adds an edge. Its question is new if the cell was not the last one that was asked about for the same vertex. */
 template <int D>
-void ShortEdges<D>::answer(uint32_t count, Cell* cells, const double** points) {
+DSW_HOT void ShortEdges<D>::add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns) {
+  Asked& asked = asked_[v];
+  if (asked.cell != cell) {
+    const uint32_t i = question_count_++;
+    asked = {cell, static_cast<uint32_t>(answers_.size()) + i};
+    cells_[i] = {cell};
+    arrivals_[i] = course_.motion.ways[v].arrival;
+    points_[i] = course_.place(v, kNone);
+  }
+  pairs_[pair_count_++] = {v, asked.question, static_cast<uint8_t>(place), static_cast<uint8_t>(turns)};
+}
+
+/** Answers all questions: goes from cell to cell while one facet alone has the target outside. */
+template <int D>
+void ShortEdges<D>::answer() {
+  uint32_t count = question_count_;
+  question_count_ = 0;
+  answers_.resize(answers_.size() + count);
+  Answer* const answers = answers_.data() + answers_.size() - count;
   uint8_t open[kMostPairs], facets[kMostPairs];
   for (uint32_t depth = 0; depth < kMostLooks && count != 0; ++depth) {
-    find_outside(env_, cells, points, count, facets);
+    find_outside(env_, cells_, points_, count, facets);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t question = depth == 0 ? i : open[i], outside = facets[i], rest = outside & (outside - 1);
-      Told& told = answers_[question];
-      told = {rest != 0 && (rest & (rest - 1)) == 0 ? kSeveral | outside : kNone, cells[i]};
-      if (outside == 0 || rest != 0) continue;
-      const Cell next = open_neighbour(env_, cells[i], lowest_bit(outside));
+      if (rest != 0) {
+        if ((rest & (rest - 1)) == 0) answers[question] = {outside, cells_[i]};
+        continue;
+      }
+      const Cell next = outside != 0 ? open_neighbour(env_, cells_[i], lowest_bit(outside)) : Cell{};
       if (!next.valid()) continue;
-      if (next == course_.motion.ways[askers_[question]].arrival) {
-        told.what = next.unit;
+      if (next == arrivals_[i]) {
+        answers[question].facets = Answer::kReached;
         continue;
       }
       open[kept] = static_cast<uint8_t>(question);
-      cells[kept] = next;
-      points[kept++] = points[i];
+      cells_[kept] = next;
+      arrivals_[kept] = arrivals_[i];
+      points_[kept++] = points_[i];
     }
     count = kept;
   }
 }
 
-/** The turns of `pair.turns` at which the edge is seen to lead from `cell`, by open neighbours, to the cell of its first end's target. */
+/** The turns of `pair.turns` at which the edge is seen to lead from a cell, by open neighbours, to the cell of its first end's target. */
 template <int D>
-uint32_t ShortEdges<D>::leads([[maybe_unused]] const Pair& pair, [[maybe_unused]] Cell cell,
-                              [[maybe_unused]] uint32_t facets, [[maybe_unused]] const uint32_t* edges) const {
+uint32_t ShortEdges<D>::leads([[maybe_unused]] const Pair& pair, [[maybe_unused]] const Answer& at,
+                              [[maybe_unused]] const uint32_t* edges) const {
   if constexpr (D == 2) {
     return 0;
   } else {
     const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
     const double* const from[2] = {course_.motion.body->position(w), course_.place(w, kNone)};
-    return follow_ways(env_, cell, facets, from, course_.place(pair.vertex, kNone),
+    return follow_ways(env_, at.cell, at.facets, from, course_.place(pair.vertex, kNone),
                        course_.motion.ways[pair.vertex].arrival, pair.turns);
   }
 }

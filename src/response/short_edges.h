@@ -40,9 +40,9 @@ class ShortEdges {
   static constexpr uint32_t kMostCells = 1 + kMostLooks + kMostFurtherLooks;  // that an edge lies in
 
   /** A bit for each edge: whether it is seen to be free at the turn of its first end, and at that of its second one; whether
-   * both of its ends move, and none is in doubt or will be as a neighbour does not arrive. */
+   * both of its ends move, and none is in doubt or will be as a neighbour does not arrive; whether an end goes inwards. */
   struct Seen {
-    uint64_t first = 0, second = 0, sure = 0;
+    uint64_t first = 0, second = 0, sure = 0, inwards = 0;
   };
 
   ShortEdges(const Environment<D>& env, const Course<D>& course) : env_(env), course_(course) {}
@@ -65,31 +65,32 @@ class ShortEdges {
 
  private:
   static constexpr uint32_t kMostPairs = 2 * kMost;
-  static constexpr uint32_t kAsked = 1u << 30;  // with the number of a question that is still open
-  static constexpr uint32_t kSeveral = 1u << 29;
-  static_assert(kMostUnits <= kSeveral, "no unit has these bits");
   static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
 
-  /** An edge, the end that goes first, the cell of the other one, and the turns at which it is there. */
+  /** An edge, the end that goes first, what is asked of it and the cell of the other end, and the turns at which this is there. */
   struct Pair {
-    uint32_t vertex, cell;
+    uint32_t vertex, question;
     uint8_t place, turns;
   };
-  /** Where a vertex is reached from a cell: the cell of its target; or kSeveral with the two facets that have the target outside,
-   * and the last cell that was looked at; or kNone. */
-  struct Told {
-    uint32_t what = kNone;
+  /** What was last asked of a vertex: whether its target is reached from a cell. */
+  struct Asked {
+    uint32_t cell = kNone, question = 0;
+  };
+  /** kReached; or the two facets that have the target outside, and the last cell that was looked at; or 0: nothing is known. */
+  struct Answer {
+    static constexpr uint32_t kReached = 1u << 31;
+    uint32_t facets = 0;
     Cell cell;
   };
 
   void doubt_neighbours(uint32_t v);
-  uint32_t gather(const uint32_t* edges, uint32_t count, Seen& seen);
-  uint32_t add_turns(const uint32_t* edges, uint32_t place, uint32_t pairs, Seen& seen);
-  uint32_t gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen);
-  void ask(uint32_t pairs);
-  void tell(const uint32_t* edges, uint32_t pairs, Seen& seen);
-  void answer(uint32_t count, Cell* cells, const double** points);
-  uint32_t leads(const Pair& pair, Cell cell, uint32_t facets, const uint32_t* edges) const;
+  void gather(const uint32_t* edges, uint32_t count, Seen& seen);
+  void add_turns(const uint32_t* edges, uint32_t place, Seen& seen);
+  void gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen);
+  void add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns);
+  void tell(const uint32_t* edges, Seen& seen);
+  void answer();
+  uint32_t leads(const Pair& pair, const Answer& at, const uint32_t* edges) const;
 
   const Environment<D>& env_;
   const Course<D>& course_;
@@ -97,12 +98,14 @@ class ShortEdges {
   Array<uint32_t> words_{env_.memory};     // by vertex
   Array<uint32_t> now_{env_.memory};       // by vertex
   Array<uint32_t> in_doubt_{env_.memory};  // vertices, at the start
-  Array<uint32_t> looked_{env_.memory};    // by vertex: the cell that was last looked at for its target; kNone: none
-  Array<Told> told_{env_.memory};          // by vertex: of that cell
+  Array<Asked> asked_{env_.memory};        // by vertex
+  Array<Answer> answers_{env_.memory};     // by question
+  // What is asked of the edges that are looked at.
+  uint32_t pair_count_ = 0, question_count_ = 0;
   Pair pairs_[kMostPairs];
-  Told of_pairs_[kMostPairs];
-  uint32_t askers_[kMostPairs];  // of each question: the vertex
-  Told answers_[kMostPairs];
+  // Each question that is not answered yet has one of these.
+  Cell cells_[kMostPairs], arrivals_[kMostPairs];
+  const double* points_[kMostPairs];
 };
 
 }  // namespace dsw

@@ -20,26 +20,20 @@ struct EdgeBits {
   uint64_t shared = 0;   // both ends stay in the same convex cell
   uint64_t stay = 0;     // each end stays in a convex cell
   uint64_t inwards = 0;  // both ends go inwards
+  uint64_t either = 0;   // an end goes inwards
   uint64_t odd = 0;      // an end does not move, or is in doubt
 };
 
-/** Reads the words of both ends of at most 64 edges. @param words by vertex. */
-using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, uint32_t count, const uint32_t* words);
+/** Reads the words of both ends of at most 64 edges. @param names the numbers of edges, none of which is a free slot; null: all from the
+ * first on. @param words by vertex. */
+using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
 
 /** The fastest of this processor; all give the same bits. */
 extern const ReadTurnWords kReadTurnWords;
 
-/** Reads them of edges that are named by their numbers, none of which is a free slot. */
-using ReadNamedTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count,
-                                        const uint32_t* words);
-extern const ReadNamedTurnWords kReadNamedTurnWords;
-
-EdgeBits read_turn_words(const BodyEdge* edges, uint32_t count, const uint32_t* words);
-EdgeBits read_named_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
+EdgeBits read_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
 #if DSW_X86_64
-EdgeBits read_turn_words_avx2(const BodyEdge* edges, uint32_t count, const uint32_t* words);
-EdgeBits read_named_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count,
-                                    const uint32_t* words);
+EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
 #endif
 
 }  // namespace dsw

@@ -34,6 +34,7 @@ EdgeBits read_eight(Edge edge, const uint32_t* words) noexcept {
   bits.stay = signs(_mm256_slli_epi32(both, 28));
   bits.shared = signs(same) & bits.stay;
   bits.inwards = signs(_mm256_slli_epi32(both, 29));
+  bits.either = signs(_mm256_slli_epi32(a | b, 29));
   bits.odd = signs(_mm256_slli_epi32(both, 31) & _mm256_slli_epi32(both, 30)) ^ 0xff;
   return bits;
 }
@@ -51,6 +52,7 @@ void add(const EdgeBits& some, uint32_t place, EdgeBits& bits) noexcept {
   bits.shared |= some.shared << place;
   bits.stay |= some.stay << place;
   bits.inwards |= some.inwards << place;
+  bits.either |= some.either << place;
   bits.odd |= some.odd << place;
 }
 
@@ -61,25 +63,19 @@ constexpr uint32_t first_of_eight(uint32_t next, uint32_t count) {
 
 }  // namespace
 
-EdgeBits read_turn_words_avx2(const BodyEdge* edges, uint32_t count, const uint32_t* words) {
+EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words) {
   EdgeBits bits;
-  if (count < kLanes) return read_turn_words(edges, count, words);
+  if (count < kLanes) return read_turn_words(edges, names, count, words);
   for (uint32_t next = 0; next < count; next += kLanes) {
     const uint32_t i = first_of_eight(next, count);
     const BodyEdge* const some = edges + i;
-    const auto edge = [&](uint32_t lane) -> const BodyEdge& { return some[lane]; };
-    add(are_used(some) ? read_eight(edge, words) : read_turn_words(some, kLanes, words), i, bits);
-  }
-  return bits;
-}
-
-EdgeBits read_named_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count,
-                                    const uint32_t* words) {
-  EdgeBits bits;
-  if (count < kLanes) return read_named_turn_words(edges, names, count, words);
-  for (uint32_t next = 0; next < count; next += kLanes) {
-    const uint32_t i = first_of_eight(next, count);
-    add(read_eight([&](uint32_t lane) -> const BodyEdge& { return edges[names[i + lane]]; }, words), i, bits);
+    if (names != nullptr) {
+      add(read_eight([&](uint32_t lane) -> const BodyEdge& { return edges[names[i + lane]]; }, words), i, bits);
+    } else if (are_used(some)) {
+      add(read_eight([&](uint32_t lane) -> const BodyEdge& { return some[lane]; }, words), i, bits);
+    } else {
+      add(read_turn_words(some, nullptr, kLanes, words), i, bits);
+    }
   }
   return bits;
 }

@@ -23,6 +23,7 @@ void expect_same(const EdgeBits& a, const EdgeBits& b) {
   EXPECT_EQ(a.shared, b.shared);
   EXPECT_EQ(a.stay, b.stay);
   EXPECT_EQ(a.inwards, b.inwards);
+  EXPECT_EQ(a.either, b.either);
   EXPECT_EQ(a.odd, b.odd);
 }
 
@@ -45,7 +46,7 @@ TEST(TurnWords, TellOfEdges) {
       if (!all_used && random() % 9 == 0) continue;
       for (uint32_t& end : edge.ends) end = static_cast<uint32_t>(random() % words.size());
     }
-    const EdgeBits bits = read_turn_words(edges.data(), count, words.data());
+    const EdgeBits bits = read_turn_words(edges.data(), nullptr, count, words.data());
     for (uint32_t e = 0; e < 64; ++e) {
       const bool used = e < count && edges[e].ends[0] != kNone;
       const uint32_t a = used ? words[edges[e].ends[0]] : 0, b = used ? words[edges[e].ends[1]] : 0;
@@ -54,6 +55,7 @@ TEST(TurnWords, TellOfEdges) {
       ASSERT_EQ(is_set(bits.shared, e), used && both(TurnWord::kStays) && a >> 4 == b >> 4) << i;
       ASSERT_EQ(is_set(bits.stay, e), used && both(TurnWord::kStays)) << i;
       ASSERT_EQ(is_set(bits.inwards, e), used && both(TurnWord::kInwards)) << i;
+      ASSERT_EQ(is_set(bits.either, e), used && ((a | b) & TurnWord::kInwards) != 0) << i;
       ASSERT_EQ(is_set(bits.odd, e), used && !(both(TurnWord::kMoves) && both(TurnWord::kSure))) << i;
       seen[0] += is_set(bits.used, e) ? 1 : 0;
       seen[1] += is_set(bits.shared, e) ? 1 : 0;
@@ -63,7 +65,7 @@ TEST(TurnWords, TellOfEdges) {
     }
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
-      expect_same(read_turn_words_avx2(edges.data(), count, words.data()), bits);
+      expect_same(read_turn_words_avx2(edges.data(), nullptr, count, words.data()), bits);
     }
 #endif
     std::vector<uint32_t> names;
@@ -74,11 +76,11 @@ TEST(TurnWords, TellOfEdges) {
       named.push_back(edges[e]);
     }
     const auto named_count = static_cast<uint32_t>(names.size());
-    const EdgeBits of_named = read_turn_words(named.data(), named_count, words.data());
-    expect_same(read_named_turn_words(edges.data(), names.data(), named_count, words.data()), of_named);
+    const EdgeBits of_named = read_turn_words(named.data(), nullptr, named_count, words.data());
+    expect_same(read_turn_words(edges.data(), names.data(), named_count, words.data()), of_named);
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
-      expect_same(read_named_turn_words_avx2(edges.data(), names.data(), named_count, words.data()), of_named);
+      expect_same(read_turn_words_avx2(edges.data(), names.data(), named_count, words.data()), of_named);
     }
 #endif
     ASSERT_FALSE(HasFailure()) << i;
