@@ -57,6 +57,7 @@ void ShortEdges<D>::start(bool looks) {
   }
   asked_.assign(count, Asked{});
   answers_.clear();
+  pair_count_ = question_count_ = 0;  // a move that ran out of memory leaves some
 }
 
 /** Notes that neighbours which have their turns after a vertex that does not arrive will be in doubt. */

@@ -46,6 +46,34 @@ TEST_F(BodyMemoryTest, MovingABody) {
   }
 }
 
+/// Many edges whose ends lie in different cells are asked about side by side. What was asked when memory ran out is forgotten.
+TEST_F(BodyMemoryTest, MovingALargeBody) {
+  const BodyPlan plan = ball({2, 2, 1.5}, 1.2, 80);
+  std::vector<Vec> targets = plan.at;
+  for (Vec& p : targets) p = {p[0] + 0.01, p[1] + 0.02, p[2] - 0.03};
+  for (const uint32_t flags : {0u, uint32_t{DSW_BODY_SKIP_BACK_EDGES}}) {
+    std::string undisturbed;
+    size_t refused = 0;
+    for (bool runs_out = true; runs_out; ++refused) {
+      SCOPED_TRACE("flags " + std::to_string(flags) + " refused " + std::to_string(refused));
+      scene_ = make_scene(place_.get());  // keeps no room yet
+      const dsw_body_id body = make(plan, DSW_LEVEL_EDGES, flags);
+      ASSERT_FALSE(HasFailure());
+      const auto move = [&] {
+        return dsw_body_move(scene(), body, targets[0].data(), targets.size(), 0, nullptr, nullptr);
+      };
+      memory_.refuse = refused == 0 ? 0 : memory_.calls + refused;
+      const dsw_status status = move();
+      memory_.refuse = 0;
+      runs_out = refused == 0 || status == DSW_STATUS_OUT_OF_MEMORY;
+      ASSERT_TRUE(status == DSW_STATUS_OK || move() == DSW_STATUS_OK);
+      if (refused == 0) undisturbed = bits_of(read(body));
+      ASSERT_EQ(bits_of(read(body)), undisturbed);
+    }
+    EXPECT_GT(refused, 10u);
+  }
+}
+
 TEST_F(BodyMemoryTest, EditingABody) {
   const dsw_body_id body = make(tetrahedron({0.5, 0.5, 0.5}, 0.75), DSW_LEVEL_FACES);
   std::string before = bits_of(read(body));

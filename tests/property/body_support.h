@@ -81,6 +81,30 @@ inline std::string bits_of(const BodyState& s) {
 
 inline BodyPlan segment(const Vec& a, const Vec& b) { return {{a, b}, {{0, 1}}, {}}; }
 /// The surface of a tetrahedron, turned outwards.
+/// A closed surface of 4 * rings + 2 vertices.
+inline BodyPlan ball(const Vec& centre, double radius, uint32_t rings) {
+  BodyPlan plan;
+  const auto at = [&](double x, double y, double z) {
+    plan.at.push_back({centre[0] + radius * x, centre[1] + radius * y, centre[2] + radius * z});
+  };
+  at(0, 0, 1);
+  for (uint32_t r = 0; r < rings; ++r) {
+    const double z = 1 - 2.0 * (r + 1) / (rings + 1), wide = 1 - z * z;
+    for (const auto& [x, y] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{-1, 0}, std::pair{0, -1}})
+      at(wide * x, wide * y, z);
+  }
+  at(0, 0, -1);
+  const uint32_t last = 4 * rings + 1;
+  for (uint32_t i = 0; i < 4; ++i) {
+    const uint32_t j = (i + 1) % 4;
+    plan.faces.push_back({0, 1 + i, 1 + j});
+    for (uint32_t r = 0; r + 1 < rings; ++r)
+      plan.faces.push_back({1 + 4 * r + i, 5 + 4 * r + i, 5 + 4 * r + j, 1 + 4 * r + j});
+    plan.faces.push_back({last, last - 4 + j, last - 4 + i});
+  }
+  return plan;
+}
+
 inline BodyPlan tetrahedron(const Vec& at, double size) {
   const auto corner = [&](double x, double y, double z) {
     return Vec{at[0] + size * x, at[1] + size * y, at[2] + size * z};
