@@ -29,8 +29,12 @@ bool all_finite(const double* values, size_t count) noexcept {
       seen[k] |= bits_of(x - x);
     }
   }
-  double rest = 0;
-  for (; i < count; ++i) rest += values[i] - values[i];
+  for (; i + 2 <= count; i += 2) {
+    DoublePair x;
+    std::memcpy(&x, values + i, sizeof x);
+    seen[0] |= bits_of(x - x);
+  }
+  const double rest = i < count ? values[i] - values[i] : 0;
   const PairMask all = (seen[0] | seen[1]) | (seen[2] | seen[3]);
   return rest == 0 && (all[0] | all[1]) == 0;
 }
@@ -38,7 +42,9 @@ bool all_finite(const double* values, size_t count) noexcept {
 /** Refuses a count that no array can have: such a count is below zero elsewhere, or a product that did not fit. */
 void check_entries(size_t count, size_t entry_bytes, const char* name) {
   constexpr size_t kAddresses = sizeof(size_t) == 8 ? size_t{PTRDIFF_MAX} >> 7 : size_t{PTRDIFF_MAX};  // 2^56 bytes
-  if (count > kAddresses / entry_bytes) fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
+  constexpr size_t kSmall = 1 << 15;  // without the division
+  if ((count | entry_bytes) >= kSmall && count > kAddresses / entry_bytes)
+    fail(DSW_STATUS_WRONG_SIZE, "%s cannot have %zu entries", name, count);
 }
 
 }  // namespace

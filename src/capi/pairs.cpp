@@ -45,19 +45,22 @@ void check_indices(const uint32_t* indices, size_t count, size_t motion_count) {
   }
 }
 
+/** The points of all pairs, which are finite. */
+struct Points {
+  dsw::PointArray starts, ends;
+};
+
 /** What both functions are given. */
 struct Arguments {
   const dsw_context* context;
-  uint32_t dimension;
+  uint32_t dimension, flags;
   size_t count;
   const uint8_t* kinds;
   const double *from, *to;
   size_t stride_bytes;
-  uint32_t flags;
   dsw_pair_touch* touches;
-  dsw::PointArray starts, ends;
 
-  void check() {
+  Points check() const {
     if (context != nullptr) capi::check_handle(context);
     if (dimension != 2 && dimension != 3) fail(DSW_STATUS_OUT_OF_RANGE, "dimension is %u, must be 2 or 3", dimension);
     if (count > kMostPairs) fail(DSW_STATUS_TOO_LARGE, "count is %zu, must be at most %zu", count, kMostPairs);
@@ -65,10 +68,11 @@ struct Arguments {
     dsw::check_flags(flags, DSW_PAIRS_RANK, "flags");
     const int D = static_cast<int>(dimension);
     const size_t point_count = count * (dimension + 1);
-    starts = dsw::to_finite_points(D, from, point_count, stride_bytes, "from");
-    ends = dsw::to_finite_points(D, to, point_count, stride_bytes, "to");
+    const Points points = {dsw::to_finite_points(D, from, point_count, stride_bytes, "from"),
+                           dsw::to_finite_points(D, to, point_count, stride_bytes, "to")};
     dsw::require_array(touches, count, "touches");
     check_kinds(dimension, kinds, count);
+    return points;
   }
 
   dsw::Parallel parallel() const { return context == nullptr ? dsw::Parallel{} : context->parallel; }
@@ -81,11 +85,11 @@ dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_
                            const double* from, const double* to, size_t stride_bytes, uint32_t flags,
                            dsw_pair_touch* touches) {
   return capi::guard(__func__, [&] {
-    Arguments a{context, dimension, count, kinds, from, to, stride_bytes, flags, touches, {}, {}};
-    a.check();
+    const Arguments a{context, dimension, flags, count, kinds, from, to, stride_bytes, touches};
+    const Points points = a.check();
     capi::with_dimension(dimension, [&](auto d) {
-      dsw::sweep_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
-                                           a.has_ranks(), touches);
+      dsw::sweep_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, points.starts,
+                                           points.ends, a.has_ranks(), touches);
     });
   });
 }
@@ -95,17 +99,16 @@ dsw_status dsw_sweep_rigid_pairs(const dsw_context* context, uint32_t dimension,
                                  size_t motion_count, const uint32_t* indices, uint32_t flags,
                                  dsw_pair_touch* touches) {
   return capi::guard(__func__, [&] {
-    Arguments a{context,      dimension, count,   kinds, from, to == nullptr ? from : to,
-                stride_bytes, flags,     touches, {},    {}};
-    a.check();
+    const Arguments a{context, dimension, flags, count, kinds, from, to == nullptr ? from : to, stride_bytes, touches};
+    const Points points = a.check();
     dsw::require_array(motions, motion_count, "motions");
     dsw::require_array(indices, count, "indices");
     check_motions(dimension, motions, motion_count);
     check_indices(indices, 2 * count, motion_count);
     capi::with_dimension(dimension, [&](auto d) {
-      dsw::sweep_rigid_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, a.starts, a.ends,
-                                                 reinterpret_cast<const dsw::TurningWay*>(motions), indices,
-                                                 a.has_ranks(), touches);
+      dsw::sweep_rigid_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, points.starts,
+                                                 points.ends, reinterpret_cast<const dsw::TurningWay*>(motions),
+                                                 indices, a.has_ranks(), touches);
     });
   });
 }

@@ -69,37 +69,17 @@ class ExactTouch {
 
  private:
   Points& points() noexcept { return static_cast<Points&>(*this); }
-  bool touches_in_line(const Root& time);
   bool find_first_root(const Polynomial& p, Root* first);
   bool find_first_change(Root* first);
   void consider(const Polynomial& p, bool* found, Root* first);
 };
 
-template <int D, class Points>
-bool ExactTouch<D, Points>::touches_in_line(const Root& time) {
-  const exact_touch::Opposite& pairs = exact_touch::opposite(kind_);
-  for (int k = 0; k < D; ++k) {
-    const int first = sign_at(points().difference(k, pairs.pair[0][0], pairs.pair[0][1]), time);
-    bool apart = first != 0;
-    for (int i = 1; i < pairs.count && apart; ++i) {
-      apart = sign_at(points().difference(k, pairs.pair[i][0], pairs.pair[i][1]), time) == first;
-    }
-    if (apart) return false;
-  }
-  return true;
-}
-
 // The volume is 0 at this time.
 template <int D, class Points>
 bool ExactTouch<D, Points>::touches(const Root& time) {
-  if constexpr (D == 3) {
-    for (int k = 0; k < 3; ++k) {
-      int sign[4];
-      for (int i = 0; i < 4; ++i) sign[i] = sign_at(points().area(k, i), time);
-      if (sign[0] != 0 || sign[1] != 0 || sign[2] != 0 || sign[3] != 0) return !exact_touch::areas_part(kind_, sign);
-    }
-  }
-  return touches_in_line(time);
+  return exact_touch::flat_pair_touches<D>(
+      kind_, [&](int view, int i) { return sign_at(points().area(view, i), time); },
+      [&](int axis, int i, int j) { return sign_at(points().difference(axis, i, j), time); });
 }
 
 template <int D, class Points>

@@ -28,5 +28,24 @@ inline const Opposite& opposite(PairKind kind) noexcept {
   return kOf[static_cast<int>(kind)];
 }
 
+// Whether a pair whose points lie in one plane touches, in the plane one whose points lie on one line. area(view, i) is the sign of a
+// triangle's area along an axis. difference(axis, i, j) is the sign of the coordinate of point j less that of point i.
+template <int D, class Area, class Difference>
+bool flat_pair_touches(PairKind kind, Area area, Difference difference) {
+  for (int view = 0; D == 3 && view < 3; ++view) {
+    int sign[4];
+    for (int i = 0; i < 4; ++i) sign[i] = area(view, i);
+    if (sign[0] != 0 || sign[1] != 0 || sign[2] != 0 || sign[3] != 0) return !areas_part(kind, sign);
+  }
+  const Opposite& pairs = opposite(kind);
+  for (int k = 0; k < D; ++k) {
+    const int first = difference(k, pairs.pair[0][0], pairs.pair[0][1]);
+    bool apart = first != 0;
+    for (int i = 1; i < pairs.count && apart; ++i) apart = difference(k, pairs.pair[i][0], pairs.pair[i][1]) == first;
+    if (apart) return false;
+  }
+  return true;
+}
+
 }  // namespace exact_touch
 }  // namespace dsw

@@ -38,7 +38,8 @@ FirstTouch first_touch(const MovingPair<D>& pair, PairWork* work, double until) 
   double time = 0;
   const Filtered answer = filter_first_touch(pair, until, &time);
   if (answer == Filtered::kUnknown) return first_touch_by_integers(pair, work);
-  return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time};
+  // Time 0 is exact: doubles next to it are nearer to each other than the bounds of roots.
+  return answer == Filtered::kApart ? FirstTouch{false, 0} : FirstTouch{true, time, time == 0};
 }
 
 template <int D>

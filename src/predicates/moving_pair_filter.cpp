@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "predicates/filter_bounds.h"
+#include "predicates/flat_pair.h"
 
 namespace dsw {
 
@@ -47,7 +48,8 @@ class Filter {
   }
 
   int kept_side(bool* is_sure) noexcept {
-    *is_sure = find_rows();
+    find_rows();
+    *is_sure = find_bounds();
     if (!*is_sure) return 0;
     if (const int plain = plain_side(); plain != 0) return plain;
     find_volume();
@@ -60,7 +62,12 @@ class Filter {
 
   Filtered first_touch(double until, double* time) noexcept {
     constexpr int kHalvingsOfCut = 2;
-    if (!find_rows()) return Filtered::kUnknown;
+    find_rows();
+    if (volume_at_start() == 0 && touches_at_start()) {
+      *time = 0;
+      return Filtered::kTouches;
+    }
+    if (!find_bounds()) return Filtered::kUnknown;
     find_volume();
     if (until < 1) search_.end_at(touch_search::end_after(until), kHalvingsOfCut);
     search_.root_error = kRootError * product_;
@@ -68,26 +75,66 @@ class Filter {
   }
 
  private:
-  // The rows of the volume and the bounds; false if they are out of range.
-  bool find_rows() noexcept {
-    double extent[D] = {};
+  void find_rows() noexcept {
     for (int i = 1; i <= D; ++i) {
       for (int k = 0; k < D; ++k) {
         const double s = pair_.start[i][k] - pair_.start[0][k], e = pair_.end[i][k] - pair_.end[0][k];
         row_[0][i - 1][k] = s;
         row_[1][i - 1][k] = e;
         const double larger = std::fabs(s) > std::fabs(e) ? std::fabs(s) : std::fabs(e);
-        extent[k] = larger > extent[k] ? larger : extent[k];
+        extent_[k] = larger > extent_[k] ? larger : extent_[k];
       }
     }
+  }
+
+  // False if they are out of range.
+  bool find_bounds() noexcept {
     product_ = 1;
     for (int k = 0; k < D; ++k) {
-      if (!(extent[k] >= kTimeFilterMin && extent[k] <= kTimeFilterMax)) return false;
-      product_ *= extent[k];
-      extent_[k] = extent[k];
+      if (!(extent_[k] >= kTimeFilterMin && extent_[k] <= kTimeFilterMax)) return false;
+      product_ *= extent_[k];
     }
     search_.volume_error = kCoefficientError * product_;
     return true;
+  }
+
+  double volume_at_start() const noexcept {
+    const auto& s = row_[0];
+    if constexpr (D == 3) return determinant(s[0], s[1], s[2]);
+    return s[0][0] * s[1][1] - s[0][1] * s[1][0];
+  }
+
+  // Whether the pair, whose volume at the start is 0 in doubles, surely touches there. Pairs that touch from the start on are common.
+  DSW_COLD bool touches_at_start() const noexcept {
+    if (!is_start_short()) return false;
+    const auto sign = [](double x) { return (x > 0) - (x < 0); };
+    const auto area = [&](int view, int triangle) {
+      const int x = (view + 1) % 3, y = (view + 2) % 3;
+      const auto cross = [&](int i, int j) {
+        const double *a = row_[0][i], *b = row_[0][j];
+        return a[x] * b[y] - a[y] * b[x];
+      };
+      return sign(triangle == 0   ? cross(0, 1)
+                  : triangle == 1 ? cross(0, 2)
+                  : triangle == 2 ? cross(1, 2)
+                                  : cross(0, 1) - cross(0, 2) + cross(1, 2));
+    };
+    return exact_touch::flat_pair_touches<D>(
+        pair_.kind, area, [&](int axis, int i, int j) { return sign(pair_.start[j][axis] - pair_.start[i][axis]); });
+  }
+
+  // Whether the rows at the start are exact and have at most 16 bits on each axis. Then their areas and their volume are exact, too.
+  // Let 2^e <= extent < 2^(e+1) and q = 2^(e-15). A coordinate x whose sum with `large` is exact is a multiple of q: the sum is 2^(e+37)
+  // or more if x is below that size, and doubles of this size are multiples of q. Differences of multiples of q that are less than 2^16 q
+  // are exact. An area is at most 2^33 q^2 and a volume less than 2^51 q^3, so doubles hold them. With an extent of 0 all of them are 0.
+  bool is_start_short() const noexcept {
+    bool is_short = true;
+    for (int k = 0; k < D; ++k) {
+      const double extent = extent_[k], large = extent * 0x1p38;
+      is_short &= extent == 0 || (extent >= kFilterMin && extent <= kFilterMax);
+      for (const double* const point : pair_.start) is_short &= (point[k] + large) - large == point[k];
+    }
+    return is_short;
   }
 
   // The side at the start, if the ways are too short to change it; else 0. By Hadamard a determinant of entries up to 1 is at most 4, in
@@ -98,12 +145,11 @@ class Filter {
     for (int i = 0; i < D; ++i) {
       for (int k = 0; k < D; ++k) way[k] = std::max(way[k], std::fabs(row_[1][i][k] - s[i][k]));
     }
-    double volume, change;
+    const double volume = volume_at_start();
+    double change;
     if constexpr (D == 3) {
-      volume = determinant(s[0], s[1], s[2]);
       change = 4 * (way[0] * extent_[1] * extent_[2] + extent_[0] * (way[1] * extent_[2] + extent_[1] * way[2]));
     } else {
-      volume = s[0][0] * s[1][1] - s[0][1] * s[1][0];
       change = 2 * (way[0] * extent_[1] + extent_[0] * way[1]);
     }
     // The volume loses at most 50 roundings of the product of the extents, and the change 24: less than the error of a coefficient.
@@ -198,7 +244,7 @@ class Filter {
 
   const MovingPair<D>& pair_;
   double row_[2][D][D];  // points 1 to D less point 0, at the start and at the end
-  double extent_[D];
+  double extent_[D] = {};
   double product_ = 0;
   touch_search::Search<D, D - 1, D == 3 ? 4 : 2> search_;
 };

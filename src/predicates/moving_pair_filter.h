@@ -21,7 +21,7 @@
 
 namespace dsw {
 
-// For kTouches, *time is that of FirstTouch. A touch after `until` may be left out.
+// For kTouches, *time is that of FirstTouch; 0 is exact. A touch after `until` may be left out.
 template <int D>
 Filtered filter_first_touch(const MovingPair<D>& pair, double until, double* time) noexcept;
 

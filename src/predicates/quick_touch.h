@@ -59,24 +59,9 @@ class QuickTouch {
 
   // Whether the pair touches at the start, where the volume is 0.
   bool touches_at_start() {
-    if constexpr (D == 3) {
-      for (int view = 0; view < 3; ++view) {
-        int sign[4];
-        for (int i = 0; i < 4; ++i) sign[i] = curves_.area_at_start(view, i);
-        if (sign[0] != 0 || sign[1] != 0 || sign[2] != 0 || sign[3] != 0) return !exact_touch::areas_part(kind_, sign);
-      }
-    }
-    const exact_touch::Opposite& pairs = exact_touch::opposite(kind_);
-    const auto sign = [&](int axis, int i) {
-      return curves_.difference(axis, pairs.pair[i][0], pairs.pair[i][1]).sign(0);
-    };
-    for (int k = 0; k < D; ++k) {
-      const int first = sign(k, 0);
-      bool apart = first != 0;
-      for (int i = 1; i < pairs.count && apart; ++i) apart = sign(k, i) == first;
-      if (apart) return false;
-    }
-    return true;
+    return exact_touch::flat_pair_touches<D>(
+        kind_, [this](int view, int i) { return curves_.area_at_start(view, i); },
+        [this](int axis, int i, int j) { return curves_.difference(axis, i, j).sign(0); });
   }
 
   // Whether the pair touches at a root of a curve, where the volume is 0.
