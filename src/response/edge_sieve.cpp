@@ -10,10 +10,11 @@
 #include "sweep/clearance.h"
 
 namespace dsw {
-namespace {
 
 /** Gives those of some edges that have two faces. */
-uint64_t closed(const BodyEdge* edges, uint64_t which) {
+template <int D>
+uint64_t EdgeSieve<D>::closed(const BodyEdge* edges, uint64_t which) const {
+  if (is_closed_) return which;
   uint64_t bits = 0;
   for (; which != 0; which &= which - 1) {
     const uint32_t i = lowest_bit(which);
@@ -22,13 +23,15 @@ uint64_t closed(const BodyEdge* edges, uint64_t which) {
   return bits;
 }
 
-}  // namespace
-
 template <int D>
 void EdgeSieve<D>::start(bool may_skip) {
   const Skipping& skipping = course_.motion.body->skipping;
   may_skip_ = may_skip;
   next_ = count_ = over_ = 0;
+  const size_t edges = course_.motion.body->edge_slots.alive_count(),
+               faces = course_.motion.body->face_slots.alive_count();
+  may_be_free_ = edges != course_.motion.body->edges.size();
+  is_closed_ = 3 * faces == 2 * edges;  // a face has three edges, and an edge at most two faces
   if (skipping.by_clearance) measure_clearances();
   if (may_skip && skipping.back_edges) find_inwards();
   const bool only_places = !sweeps_edges(course_.motion.body->level) && !course_.motion.body->keeps_corridors();
@@ -121,7 +124,7 @@ void EdgeSieve<D>::sift() {
 template <int D>
 typename EdgeSieve<D>::Sifted EdgeSieve<D>::sift_block(uint32_t first, uint32_t count, bool skips_back) const {
   const BodyEdge* const edges = course_.motion.body->edges.data() + first;
-  const EdgeBits bits = kReadTurnWords(edges, nullptr, count, short_.words());
+  const EdgeBits bits = kReadTurnWords(edges, nullptr, count, may_be_free_, short_.words());
   Sifted sifted;
   sifted.inside = bits.shared & ~bits.odd;
   if (skips_back) {
@@ -197,7 +200,7 @@ template <int D>
 void EdgeSieve<D>::gather() {
   const Body<D>& body = *course_.motion.body;
   const uint32_t size = static_cast<uint32_t>(body.edges.size());
-  if (sees() && body.edge_slots.alive_count() == size) {  // no free slot
+  if (sees() && !may_be_free_) {
     count_ = std::min(kChunk, size - next_);
     for (uint32_t i = 0; i < kChunk; ++i) chunk_[i] = next_ + i;  // a fixed count is written in lanes
     next_ += count_;

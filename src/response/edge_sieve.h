@@ -51,6 +51,7 @@ class EdgeSieve {
     uint64_t inwards = 0;    // of `inside`: of a closed surface, and an end goes inwards
   };
   void sift();
+  uint64_t closed(const BodyEdge* edges, uint64_t which) const;
   Sifted sift_block(uint32_t first, uint32_t count, bool skips_back) const;
   void sift_odd(const BodyEdge& edge, uint64_t bit, bool skips_back, Sifted& sifted) const;
   void count_sifted(uint32_t first, const Sifted& block, bool leaves);
@@ -73,9 +74,11 @@ class EdgeSieve {
   CourseCasts<D>& casts_;
   ShortEdges<D> short_;
   bool may_skip_ = false;
-  bool sifts_ = false;  // edges are sifted while they are gathered
-  bool fills_ = false;  // and a chunk is filled, since edges that are dropped are not cast in between
-  bool sees_ = false;   // edges may be free that are seen to be, in space
+  bool sifts_ = false;        // edges are sifted while they are gathered
+  bool fills_ = false;        // and a chunk is filled, since edges that are dropped are not cast in between
+  bool sees_ = false;         // edges may be free that are seen to be, in space
+  bool may_be_free_ = false;  // there are free slots of edges
+  bool is_closed_ = false;    // every edge has two faces
   uint32_t next_ = 0, count_ = 0;
   uint32_t over_ = 0;  // edges behind the chunk, for the next one
   uint32_t chunk_[2 * kChunk] = {};

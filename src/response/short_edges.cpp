@@ -10,14 +10,14 @@ namespace {
 
 template <int D>
 uint32_t write_words(const Map<D>& map, const VertexWay* ways, const typename Course<D>::Vertex* turns, uint32_t count,
-                     uint32_t* words, uint32_t* in_doubt, bool* has_others) {
+                     uint32_t* words, uint32_t* now, uint32_t* in_doubt, bool* has_others) {
   uint32_t others = 0, doubts = 0;
   for (uint32_t v = 0; v < count; ++v) {
     const Cell from = ways[v].from;
     const bool stays = from == ways[v].arrival && from.valid(), convex = stays && map.convex(from);
-    words[v] = (convex ? from.unit << TurnWord::kBits | TurnWord::kStays : 0) |
-               (turns[v].rank != kNone ? TurnWord::kMoves : 0) | (turns[v].doubtful ? 0 : TurnWord::kSure) |
-               (turns[v].inwards ? TurnWord::kInwards : 0);
+    words[v] = now[v] = (convex ? from.unit << TurnWord::kBits | TurnWord::kStays : 0) |
+                        (turns[v].rank != kNone ? TurnWord::kMoves : 0) | (turns[v].doubtful ? 0 : TurnWord::kSure) |
+                        (turns[v].inwards ? TurnWord::kInwards : 0);
     others |= stays != convex ? 1u : 0u;
     in_doubt[doubts] = v;
     doubts += turns[v].doubtful ? 1 : 0;
@@ -29,8 +29,8 @@ uint32_t write_words(const Map<D>& map, const VertexWay* ways, const typename Co
 }  // namespace
 
 uint32_t write_turn_words(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
-                          uint32_t* words, uint32_t* in_doubt, bool* has_others) {
-  return write_words<3>(map, ways, turns, count, words, in_doubt, has_others);
+                          uint32_t* words, uint32_t* now, uint32_t* in_doubt, bool* has_others) {
+  return write_words<3>(map, ways, turns, count, words, now, in_doubt, has_others);
 }
 
 const WriteTurnWords kWriteTurnWords = DSW_WITH_AVX2(write_turn_words);
@@ -38,7 +38,9 @@ const WriteTurnWords kWriteTurnWords = DSW_WITH_AVX2(write_turn_words);
 template <int D>
 void ShortEdges<D>::start(bool looks) {
   const auto count = static_cast<uint32_t>(course_.motion.ways.size());
+  looks = D == 3 && looks;
   words_.resize(count);
+  now_.resize(looks ? count : 0);
   in_doubt_.resize(count);
   const auto write = [] {
     if constexpr (D == 3) {
@@ -48,16 +50,15 @@ void ShortEdges<D>::start(bool looks) {
     }
   }();
   const VertexWay* const ways = course_.motion.ways.data();
-  const uint32_t doubts =
-      write(env_.map, ways, course_.vertices.data(), count, words_.data(), in_doubt_.data(), &has_others_);
-  if (D == 2 || !looks) return;
-  now_.assign(words_.begin(), words_.end());
+  const uint32_t doubts = write(env_.map, ways, course_.vertices.data(), count, words_.data(),
+                                looks ? now_.data() : words_.data(), in_doubt_.data(), &has_others_);
+  if (!looks) return;
   for (uint32_t i = 0; i < doubts; ++i) {
     if (!ways[in_doubt_[i]].arrival.valid()) doubt_neighbours(in_doubt_[i]);
   }
   asked_.assign(count, Asked{});
   answers_.clear();
-  pair_count_ = question_count_ = 0;  // a move that ran out of memory leaves some
+  pair_count_ = question_count_ = answered_ = 0;  // a move that ran out of memory leaves some
 }
 
 /** Notes that neighbours which have their turns after a vertex that does not arrive will be in doubt. */
@@ -90,30 +91,39 @@ uint64_t ShortEdges<D>::find_arrivals(const uint32_t* edges, uint32_t count) {
 template <int D>
 void ShortEdges<D>::tell(const uint32_t* edges, Seen& seen) {
   if (question_count_ != 0) answer();
-  for (uint32_t i = 0; i < pair_count_; ++i) {
+  uint64_t first = seen.first, second = seen.second;
+  const auto note = [&](uint32_t turns, uint32_t place) {
+    first |= uint64_t{turns & kFirst} << place;
+    second |= uint64_t{turns >> 1} << place;
+  };
+  uint16_t places[kMostPairs];
+  uint32_t open = 0;
+  for (uint32_t i = 0, count = pair_count_; i < count; ++i) {
     const Pair& pair = pairs_[i];
     const Answer& told = answers_[pair.question];
-    uint32_t turns = told.facets / Answer::kReached * pair.turns;
-    if (told.facets - 1 < Answer::kReached - 1) turns = leads(pair, told, edges);
-    seen.first |= uint64_t{turns & kFirst} << pair.place;
-    seen.second |= uint64_t{turns >> 1} << pair.place;
+    note(told.facets / Answer::kReached * pair.turns, pair.place);
+    if (D == 2 || told.facets - 1 >= Answer::kReached - 1) continue;
+    ways_[open] = ways_of(pair, told, course_.motion.body->edges[edges[pair.place]]);
+    places[open++] = pair.place;
   }
   pair_count_ = 0;
+  if constexpr (D == 3) follow_ways(env_, ways_, open);
+  for (uint32_t i = 0; i < open; ++i) note(ways_[i].leads, places[i]);
+  seen.first = first;
+  seen.second = second;
 }
 
 /** Sees the edges that stay in one cell, and gathers what has to be asked of the others. */
 template <int D>
 void ShortEdges<D>::gather(const uint32_t* edges, uint32_t count, Seen& seen) {
   const BodyEdge* const of = course_.motion.body->edges.data();
-  const typename Course<D>::Vertex* const vertices = course_.vertices.data();
   const uint32_t* const words = now_.data();
   const bool in_a_row = count != 0 && edges[count - 1] - edges[0] == count - 1;
-  const EdgeBits bits = kReadTurnWords(in_a_row ? of + edges[0] : of, in_a_row ? nullptr : edges, count, words);
+  const EdgeBits bits = kReadTurnWords(in_a_row ? of + edges[0] : of, in_a_row ? nullptr : edges, count, false, words);
   for (uint64_t rest = bits.stay & ~bits.shared; rest != 0; rest &= rest - 1) {
     const uint32_t i = lowest_bit(rest);
-    const uint32_t(&ends)[2] = of[edges[i]].ends;
-    const uint32_t k = vertices[ends[1]].rank < vertices[ends[0]].rank ? 1 : 0;
-    add(ends[k], words[ends[1 - k]] >> TurnWord::kBits, i, kFirst | kSecond);
+    const Ends ends = ends_of(of[edges[i]]);
+    add(ends.first, words[ends.second] >> TurnWord::kBits, i, kFirst | kSecond);
   }
   seen = {bits.shared, bits.shared, bits.used & ~bits.odd, bits.either};
   for (uint64_t rest = bits.used & ~bits.stay; rest != 0; rest &= rest - 1) add_turns(edges, lowest_bit(rest), seen);
@@ -124,15 +134,14 @@ template <int D>
 void ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, Seen& seen) {
   const VertexWay* const ways = course_.motion.ways.data();
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t(&ends)[2] = course_.motion.body->edges[edges[i]].ends;
-    const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
-    const Cell cell = ways[ends[1 - k]].arrival;
+    const Ends ends = ends_of(course_.motion.body->edges[edges[i]]);
+    const Cell cell = ways[ends.second].arrival;
     DSW_ASSERT(cell.valid());
     if (!env_.map.convex(cell)) continue;
-    if (cell == ways[ends[k]].arrival) {
+    if (cell == ways[ends.first].arrival) {
       seen.second |= uint64_t{1} << i;
     } else {
-      add(ends[k], cell.unit, i, kSecond);
+      add(ends.first, cell.unit, i, kSecond);
     }
   }
 }
@@ -140,10 +149,9 @@ void ShortEdges<D>::gather_arrivals(const uint32_t* edges, uint32_t count, Seen&
 /** Gathers what is asked at each turn of an edge whose ends do not both stay in a convex cell. */
 template <int D>
 void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, Seen& seen) {
-  const uint32_t(&ends)[2] = course_.motion.body->edges[edges[place]].ends;
-  const uint32_t k = course_.vertices[ends[1]].rank < course_.vertices[ends[0]].rank ? 1 : 0;
-  const uint32_t v = ends[k];
-  const VertexWay& way = course_.motion.ways[ends[1 - k]];
+  const Ends ends = ends_of(course_.motion.body->edges[edges[place]]);
+  const uint32_t v = ends.first;
+  const VertexWay& way = course_.motion.ways[ends.second];
   const Cell target = course_.motion.ways[v].arrival;
   if (!target.valid()) return;
   const auto add_turn = [&](Cell cell, uint32_t turns, uint64_t& of_turn) {
@@ -163,18 +171,18 @@ void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, Seen& seen)
   }
 }
 
-/** Adds an edge. Its question is new if the cell was not the last one that was asked about for the same vertex. */
+/** Adds an edge whose end v goes first: no edge is told of where that does not move. Its question is new if the cell was not the last one that was asked about for the same vertex. */
 template <int D>
 DSW_HOT void ShortEdges<D>::add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns) {
   Asked& asked = asked_[v];
   if (asked.cell != cell) {
     const uint32_t i = question_count_++;
-    asked = {cell, static_cast<uint32_t>(answers_.size()) + i};
+    asked = {cell, answered_ + i};
     cells_[i] = {cell};
     arrivals_[i] = course_.motion.ways[v].arrival;
-    points_[i] = course_.place(v, kNone);
+    points_[i] = course_.motion.targets[v];
   }
-  pairs_[pair_count_++] = {v, asked.question, static_cast<uint8_t>(place), static_cast<uint8_t>(turns)};
+  pairs_[pair_count_++] = {asked.question, static_cast<uint16_t>(place), static_cast<uint16_t>(turns)};
 }
 
 /** Answers all questions: goes from cell to cell while one facet alone has the target outside. */
@@ -182,45 +190,48 @@ template <int D>
 void ShortEdges<D>::answer() {
   uint32_t count = question_count_;
   question_count_ = 0;
-  answers_.resize(answers_.size() + count);
-  Answer* const answers = answers_.data() + answers_.size() - count;
+  answers_.resize(answered_ + count);
+  Answer* const answers = answers_.data() + answered_;
+  answered_ += count;
   uint8_t open[kMostPairs], facets[kMostPairs];
+  for (uint32_t i = 0; i < count; ++i) open[i] = static_cast<uint8_t>(i);
   for (uint32_t depth = 0; depth < kMostLooks && count != 0; ++depth) {
     find_outside(env_, cells_, points_, count, facets);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t question = depth == 0 ? i : open[i], outside = facets[i], rest = outside & (outside - 1);
+      const uint32_t outside = facets[i], rest = outside & (outside - 1);
+      if (outside == 0 || (rest & (rest - 1)) != 0) continue;
+      Answer& told = answers[open[i]];
       if (rest != 0) {
-        if ((rest & (rest - 1)) == 0) answers[question] = {outside, cells_[i]};
+        told = {outside, cells_[i]};
         continue;
       }
-      const Cell next = outside != 0 ? open_neighbour(env_, cells_[i], lowest_bit(outside)) : Cell{};
-      if (!next.valid()) continue;
+      const Cell next = open_neighbour(env_, cells_[i], lowest_bit(outside));
       if (next == arrivals_[i]) {
-        answers[question].facets = Answer::kReached;
-        continue;
+        told.facets = Answer::kReached;
+      } else if (next.valid()) {
+        open[kept] = open[i];
+        cells_[kept] = next;
+        arrivals_[kept] = arrivals_[i];
+        points_[kept++] = points_[i];
       }
-      open[kept] = static_cast<uint8_t>(question);
-      cells_[kept] = next;
-      arrivals_[kept] = arrivals_[i];
-      points_[kept++] = points_[i];
     }
     count = kept;
   }
 }
 
-/** The turns of `pair.turns` at which the edge is seen to lead from a cell, by open neighbours, to the cell of its first end's target. */
+/** Gives the ways of an edge from the places of its second end to the target of its first one, from a cell that they come into. */
 template <int D>
-uint32_t ShortEdges<D>::leads([[maybe_unused]] const Pair& pair, [[maybe_unused]] const Answer& at,
-                              [[maybe_unused]] const uint32_t* edges) const {
-  if constexpr (D == 2) {
-    return 0;
-  } else {
-    const uint32_t w = course_.motion.body->edges[edges[pair.place]].other(pair.vertex);
-    const double* const from[2] = {course_.motion.body->position(w), course_.place(w, kNone)};
-    return follow_ways(env_, at.cell, at.facets, from, course_.place(pair.vertex, kNone),
-                       course_.motion.ways[pair.vertex].arrival, pair.turns);
-  }
+TwoWays ShortEdges<D>::ways_of(const Pair& pair, const Answer& at, const BodyEdge& edge) const {
+  const auto [v, w] = ends_of(edge);
+  const MovingBody<D>& motion = course_.motion;
+  return {{motion.body->position(w), course_.place(w, kNone)},
+          motion.targets[v],
+          at.cell,
+          motion.ways[v].arrival,
+          at.facets,
+          pair.turns,
+          0};
 }
 
 template class ShortEdges<2>;

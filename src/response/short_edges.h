@@ -8,20 +8,22 @@
 
 namespace dsw {
 
-/** A function of this type writes the words of so many vertices, and the numbers of those that are in doubt. Returns how many of
- * these there are.
+/** A function of this type writes the words of so many vertices, twice, and the numbers of those that are in doubt. Returns how many
+ * of these there are.
+ * @param now where the words are written again; may be `words`.
  * @param has_others whether a vertex stays in a cell that is not convex. */
 using WriteTurnWords = uint32_t (*)(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns,
-                                    uint32_t count, uint32_t* words, uint32_t* in_doubt, bool* has_others);
+                                    uint32_t count, uint32_t* words, uint32_t* now, uint32_t* in_doubt,
+                                    bool* has_others);
 
 /** The fastest of this processor; all give the same bits. */
 extern const WriteTurnWords kWriteTurnWords;
 
 uint32_t write_turn_words(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
-                          uint32_t* words, uint32_t* in_doubt, bool* has_others);
+                          uint32_t* words, uint32_t* now, uint32_t* in_doubt, bool* has_others);
 #if DSW_X86_64
 uint32_t write_turn_words_avx2(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
-                               uint32_t* words, uint32_t* in_doubt, bool* has_others);
+                               uint32_t* words, uint32_t* now, uint32_t* in_doubt, bool* has_others);
 #endif
 
 /** Sees edges that stay in one convex cell [JCD10] 6.1, or lie in a few convex cells one after the other.
@@ -65,12 +67,17 @@ class ShortEdges {
 
  private:
   static constexpr uint32_t kMostPairs = 2 * kMost;
+  static_assert(kMostPairs <= kPacket, "they are looked at together");
   static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
 
-  /** An edge, the end that goes first, what is asked of it and the cell of the other end, and the turns at which this is there. */
+  /** An edge, what is asked of the end that goes first and the cell of the other end, and the turns at which this is there. A byte may
+   * alias everything, so that compilers would read all else again after it is written. */
   struct Pair {
-    uint32_t vertex, question;
-    uint8_t place, turns;
+    uint32_t question;
+    uint16_t place, turns;
+  };
+  struct Ends {
+    uint32_t first, second;  // in the order of their turns
   };
   /** What was last asked of a vertex: whether its target is reached from a cell. */
   struct Asked {
@@ -83,6 +90,10 @@ class ShortEdges {
     Cell cell;
   };
 
+  Ends ends_of(const BodyEdge& edge) const {
+    const uint32_t a = edge.ends[0], b = edge.ends[1];
+    return course_.vertices[b].rank < course_.vertices[a].rank ? Ends{b, a} : Ends{a, b};
+  }
   void doubt_neighbours(uint32_t v);
   void gather(const uint32_t* edges, uint32_t count, Seen& seen);
   void add_turns(const uint32_t* edges, uint32_t place, Seen& seen);
@@ -90,7 +101,7 @@ class ShortEdges {
   void add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns);
   void tell(const uint32_t* edges, Seen& seen);
   void answer();
-  uint32_t leads(const Pair& pair, const Answer& at, const uint32_t* edges) const;
+  TwoWays ways_of(const Pair& pair, const Answer& at, const BodyEdge& edge) const;
 
   const Environment<D>& env_;
   const Course<D>& course_;
@@ -101,8 +112,9 @@ class ShortEdges {
   Array<Asked> asked_{env_.memory};        // by vertex
   Array<Answer> answers_{env_.memory};     // by question
   // What is asked of the edges that are looked at.
-  uint32_t pair_count_ = 0, question_count_ = 0;
+  uint32_t pair_count_ = 0, question_count_ = 0, answered_ = 0;
   Pair pairs_[kMostPairs];
+  TwoWays ways_[kMostPairs];
   // Each question that is not answered yet has one of these.
   Cell cells_[kMostPairs], arrivals_[kMostPairs];
   const double* points_[kMostPairs];

@@ -38,7 +38,7 @@ __m256i first_words(const Map<3>& map, __m256i units) noexcept {
 }  // namespace
 
 uint32_t write_turn_words_avx2(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns, uint32_t count,
-                               uint32_t* words, uint32_t* in_doubt, bool* has_others) {
+                               uint32_t* words, uint32_t* now, uint32_t* in_doubt, bool* has_others) {
   using Turn = Course<3>::Vertex;
   static_assert(sizeof(VertexWay) == 8 && offsetof(VertexWay, from) == 0, "two words");
   static_assert(offsetof(Turn, doubtful) == 4 && offsetof(Turn, inwards) == 6, "bits 0 and 16 of the second word");
@@ -58,13 +58,15 @@ uint32_t write_turn_words_avx2(const Map<3>& map, const VertexWay* ways, const C
     const __m256i moves = _mm256_andnot_si256(_mm256_cmpeq_epi32(rank, splat(kNone)), splat(TurnWord::kMoves));
     const __m256i sure = _mm256_andnot_si256(_mm256_slli_epi32(bits, 1), splat(TurnWord::kSure));
     const __m256i inwards = _mm256_srli_epi32(bits, 14) & splat(TurnWord::kInwards);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(words + v), of_cell | moves | sure | inwards);
+    const __m256i whole = of_cell | moves | sure | inwards;
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(words + v), whole);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(now + v), whole);
     auto doubtful = static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_slli_epi32(bits, 31))));
     for (; doubtful != 0; doubtful &= doubtful - 1) in_doubt[doubts++] = v + lowest_bit(doubtful);
   }
   bool rest_has_others = false;
   const uint32_t more =
-      write_turn_words(map, ways + v, turns + v, count - v, words + v, in_doubt + doubts, &rest_has_others);
+      write_turn_words(map, ways + v, turns + v, count - v, words + v, now + v, in_doubt + doubts, &rest_has_others);
   for (uint32_t i = 0; i < more; ++i) in_doubt[doubts + i] += v;
   *has_others = rest_has_others || _mm256_testz_si256(others, others) == 0;
   return doubts + more;

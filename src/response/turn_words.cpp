@@ -6,7 +6,8 @@
 namespace dsw {
 
 // Without branches on what is found, which would be mispredicted for every other edge.
-EdgeBits read_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words) {
+EdgeBits read_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count,
+                         [[maybe_unused]] bool may_be_free, const uint32_t* words) {
   constexpr uint32_t kPlain = TurnWord::kMoves | TurnWord::kSure;
   EdgeBits bits;
   for (uint32_t i = 0; i < count; ++i) {

@@ -25,15 +25,18 @@ struct EdgeBits {
 };
 
 /** Reads the words of both ends of at most 64 edges. @param names the numbers of edges, none of which is a free slot; null: all from the
- * first on. @param words by vertex. */
-using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
+ * first on. @param may_be_free whether some of these may be free slots. @param words by vertex. */
+using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count, bool may_be_free,
+                                   const uint32_t* words);
 
 /** The fastest of this processor; all give the same bits. */
 extern const ReadTurnWords kReadTurnWords;
 
-EdgeBits read_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
+EdgeBits read_turn_words(const BodyEdge* edges, const uint32_t* names, uint32_t count, bool may_be_free,
+                         const uint32_t* words);
 #if DSW_X86_64
-EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words);
+EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, bool may_be_free,
+                              const uint32_t* words);
 #endif
 
 }  // namespace dsw

@@ -63,18 +63,19 @@ constexpr uint32_t first_of_eight(uint32_t next, uint32_t count) {
 
 }  // namespace
 
-EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, const uint32_t* words) {
+EdgeBits read_turn_words_avx2(const BodyEdge* edges, const uint32_t* names, uint32_t count, bool may_be_free,
+                              const uint32_t* words) {
   EdgeBits bits;
-  if (count < kLanes) return read_turn_words(edges, names, count, words);
+  if (count < kLanes) return read_turn_words(edges, names, count, may_be_free, words);
   for (uint32_t next = 0; next < count; next += kLanes) {
     const uint32_t i = first_of_eight(next, count);
     const BodyEdge* const some = edges + i;
     if (names != nullptr) {
       add(read_eight([&](uint32_t lane) -> const BodyEdge& { return edges[names[i + lane]]; }, words), i, bits);
-    } else if (are_used(some)) {
+    } else if (!may_be_free || are_used(some)) {
       add(read_eight([&](uint32_t lane) -> const BodyEdge& { return some[lane]; }, words), i, bits);
     } else {
-      add(read_turn_words(some, nullptr, kLanes, words), i, bits);
+      add(read_turn_words(some, nullptr, kLanes, true, words), i, bits);
     }
   }
   return bits;

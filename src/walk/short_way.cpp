@@ -26,55 +26,69 @@ namespace {
 
 constexpr uint32_t kNoRidge = 4;  // two facets share none
 
-/** For two ways to one end outside of the facets f and g of a cell, a bit each: whether it leaves the cell by f. Or kNoRidge. */
-uint32_t leaves_by_first(const Environment<3>& env, Cell cell, uint32_t f, uint32_t g, const double* const (&from)[2],
-                         const double* to, uint32_t asked) noexcept {
+/** For the ways of a pair that are asked about, a bit each: whether it leaves the cell by facet f, and not by g. Or kNoRidge. */
+uint32_t leaves_by_first(const Environment<3>& env, const TwoWays& pair, uint32_t f, uint32_t g) noexcept {
   const double* ridge[2];
-  if (!shared_ridge(env, env.map.record(cell), f, g, ridge)) return kNoRidge;
+  if (!shared_ridge(env, env.map.record(pair.cell), f, g, ridge)) return kNoRidge;
   // What line_side asks, with the end as the origin: the ridge's plane with the end serves both ways.
-  const filter::Vec<3> a = filter::difference<3>(ridge[0], to), b = filter::difference<3>(ridge[1], to),
-                       normal = filter::cross(a, b);
+  const filter::Vec<3> a = filter::difference<3>(ridge[0], pair.to), b = filter::difference<3>(ridge[1], pair.to),
+                       normal = filter::cross(a, b), reach = filter::extent(a, b);
   uint32_t by_f = 0;
   for (uint32_t i = 0; i < 2; ++i) {
-    if ((asked >> i & 1) == 0) continue;
-    const filter::Vec<3> way = filter::difference<3>(to, from[i]);
+    if ((pair.asked >> i & 1) == 0) continue;
+    const filter::Vec<3> way = filter::difference<3>(pair.to, pair.from[i]);
     const double det = filter::dot(normal, way);
-    const bool certain = filter::certain(det, filter::extent(way, a, b));
-    const int side = certain ? filter::sign_of(det) : line_side<3>(from[i], to, ridge, NoTally{}).sign;
+    const bool certain = filter::certain(det, filter::extent(way, reach));
+    const int side = certain ? filter::sign_of(det) : line_side<3>(pair.from[i], pair.to, ridge, NoTally{}).sign;
     by_f |= uint32_t{side > 0} << i;
   }
   return by_f;
 }
 
+/** Goes from the cell of a pair into the next one. Returns whether a way leads on from there. */
+bool go_on(const Environment<3>& env, TwoWays& pair) noexcept {
+  if (pair.facets == 0) return false;
+  const uint32_t f = lowest_bit(pair.facets), g = highest_bit(pair.facets);
+  if ((pair.facets & ~(1u << f | 1u << g)) != 0) return false;
+  const uint32_t by_f = f == g ? pair.asked : leaves_by_first(env, pair, f, g);
+  if (by_f == kNoRidge) return false;
+  const Cell left = pair.cell;
+  const uint32_t by_facet[2] = {by_f, pair.asked & ~by_f};
+  pair.asked = 0;
+  for (uint32_t k = 0; k < 2; ++k) {
+    if (by_facet[k] == 0) continue;
+    const Cell next = open_neighbour(env, left, k == 0 ? f : g);
+    if (next == pair.last) {
+      pair.leads |= by_facet[k];
+    } else if (next.valid()) {
+      pair.asked = by_facet[k];
+      pair.cell = next;
+    }
+  }
+  return pair.asked != 0;
+}
+
 }  // namespace
 
-uint32_t follow_ways(const Environment<3>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
-                     const double* to, Cell last, uint32_t asked) noexcept {
-  uint32_t leads = 0;
-  for (uint32_t looks = 0; facets != 0; ++looks) {
-    const uint32_t f = lowest_bit(facets), g = highest_bit(facets);
-    if ((facets & ~(1u << f | 1u << g)) != 0) break;
-    const uint32_t by_f = f == g ? asked : leaves_by_first(env, cell, f, g, from, to, asked);
-    if (by_f == kNoRidge) break;
-    const Cell left = cell;
-    const uint32_t by_facet[2] = {by_f, asked & ~by_f};
-    asked = 0;
-    for (uint32_t k = 0; k < 2; ++k) {
-      if (by_facet[k] == 0) continue;
-      const Cell next = open_neighbour(env, left, k == 0 ? f : g);
-      if (next == last) {
-        leads |= by_facet[k];
-      } else if (next.valid()) {
-        asked = by_facet[k];
-        cell = next;
-      }
+void follow_ways(const Environment<3>& env, TwoWays* pairs, uint32_t count) noexcept {
+  TwoWays* open[kPacket];
+  Cell cells[kPacket];
+  const double* points[kPacket];
+  uint8_t facets[kPacket];
+  for (uint32_t i = 0; i < count; ++i) open[i] = pairs + i;
+  for (uint32_t looks = 0; count != 0; ++looks) {
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      if (!go_on(env, *open[i])) continue;
+      cells[kept] = open[i]->cell;
+      points[kept] = open[i]->to;
+      open[kept++] = open[i];
     }
-    if (asked == 0 || looks == kMostFurtherLooks) break;
-    uint8_t outside = 0;
-    find_outside(env, &cell, &to, 1, &outside);
-    facets = outside;
+    if (looks == kMostFurtherLooks) return;
+    count = kept;
+    find_outside(env, cells, points, count, facets);
+    for (uint32_t i = 0; i < count; ++i) open[i]->facets = facets[i];
   }
-  return leads;
 }
 
 DSW_INSTANTIATE(find_outside);

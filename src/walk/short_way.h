@@ -41,12 +41,18 @@ DSW_HOT bool ends_at_once([[maybe_unused]] const Environment<D>& env, [[maybe_un
   return false;
 }
 
+/** How many facets a cell of a standard form has. */
+template <int D>
+constexpr uint8_t kFacetCounts[] = {
+    Map<D>::standard_facet_count(Form::kSimplex), Map<D>::standard_facet_count(Form::kPyramid),
+    Map<D>::standard_facet_count(Form::kPrism), Map<D>::standard_facet_count(Form::kBox)};
+
 /** The cell behind a facet of a convex tetrahedron, pyramid or hexahedron, if that cell is convex, too, and a cast may pass
  * from one to the other both ways; else an invalid one. */
 template <int D>
 DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet) noexcept {
   const Map<D>& map = env.map;
-  const uint32_t word = map.record(cell)[0], facets = Map<D>::standard_facet_count(form_of(word));
+  const uint32_t word = map.record(cell)[0], facets = kFacetCounts<D>[static_cast<uint32_t>(form_of(word))];
   const uint32_t link = map.words[(cell.unit + 1) * kUnitWords<D> - facets + facet];
   if (link >= kNoFacet || (word & kMarkBit) != 0) return {};  // a link that is marked is larger
   const Cell next = map.cell_of(HalfFacet{link});
@@ -57,11 +63,18 @@ DSW_HOT Cell open_neighbour(const Environment<D>& env, Cell cell, uint32_t facet
 
 constexpr uint32_t kMostFurtherLooks = 4;
 
-/** Follows two straight ways to one end through convex cells. Returns a bit for each way of `asked` that is seen to come into `last`
- * through open neighbours alone; a missing bit means unknown. Each way starts in `cell` or comes into it. `facets`: those of
- * `cell` that have the end outside, a bit each. Gives up if these are three, or two that share no ridge. Where the ways part,
- * at most one is followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
-uint32_t follow_ways(const Environment<3>& env, Cell cell, uint32_t facets, const double* const (&from)[2],
-                     const double* to, Cell last, uint32_t asked) noexcept;
+/** Two straight ways to one end through convex cells. Each of them starts in `cell` or comes into it. */
+struct TwoWays {
+  const double* from[2];
+  const double* to;
+  Cell cell, last;
+  uint32_t facets;  // of `cell`: those that have the end outside, a bit each
+  uint32_t asked;   // the ways that are asked about, a bit each
+  uint32_t leads;   // those that are seen to come into `last` through open neighbours alone
+};
+
+/** Follows at most kPacket pairs of ways side by side: finds out which lead. Gives up if facets are three, or two that share no ridge.
+ * Where the ways of a pair part, at most one is followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
+void follow_ways(const Environment<3>& env, TwoWays* pairs, uint32_t count) noexcept;
 
 }  // namespace dsw

@@ -46,7 +46,7 @@ TEST(TurnWords, TellOfEdges) {
       if (!all_used && random() % 9 == 0) continue;
       for (uint32_t& end : edge.ends) end = static_cast<uint32_t>(random() % words.size());
     }
-    const EdgeBits bits = read_turn_words(edges.data(), nullptr, count, words.data());
+    const EdgeBits bits = read_turn_words(edges.data(), nullptr, count, !all_used, words.data());
     for (uint32_t e = 0; e < 64; ++e) {
       const bool used = e < count && edges[e].ends[0] != kNone;
       const uint32_t a = used ? words[edges[e].ends[0]] : 0, b = used ? words[edges[e].ends[1]] : 0;
@@ -65,7 +65,7 @@ TEST(TurnWords, TellOfEdges) {
     }
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
-      expect_same(read_turn_words_avx2(edges.data(), nullptr, count, words.data()), bits);
+      expect_same(read_turn_words_avx2(edges.data(), nullptr, count, !all_used, words.data()), bits);
     }
 #endif
     std::vector<uint32_t> names;
@@ -76,11 +76,11 @@ TEST(TurnWords, TellOfEdges) {
       named.push_back(edges[e]);
     }
     const auto named_count = static_cast<uint32_t>(names.size());
-    const EdgeBits of_named = read_turn_words(named.data(), nullptr, named_count, words.data());
-    expect_same(read_turn_words(edges.data(), names.data(), named_count, words.data()), of_named);
+    const EdgeBits of_named = read_turn_words(named.data(), nullptr, named_count, false, words.data());
+    expect_same(read_turn_words(edges.data(), names.data(), named_count, false, words.data()), of_named);
 #if DSW_X86_64
     if (DSW_CPU_HAS("avx2")) {
-      expect_same(read_turn_words_avx2(edges.data(), names.data(), named_count, words.data()), of_named);
+      expect_same(read_turn_words_avx2(edges.data(), names.data(), named_count, false, words.data()), of_named);
     }
 #endif
     ASSERT_FALSE(HasFailure()) << i;
@@ -128,10 +128,11 @@ TEST(TurnWords, AreThoseOfVertices) {
     }
     seen[3] += has_others ? 0 : 1;
     const auto check = [&](WriteTurnWords write) {
-      std::vector<uint32_t> words(count), in_doubt(count);
+      std::vector<uint32_t> words(count), now(count), in_doubt(count);
       bool others = !has_others;
-      in_doubt.resize(write(map, ways.data(), turns.data(), count, words.data(), in_doubt.data(), &others));
+      in_doubt.resize(write(map, ways.data(), turns.data(), count, words.data(), now.data(), in_doubt.data(), &others));
       EXPECT_EQ(words, wanted);
+      EXPECT_EQ(now, wanted);
       EXPECT_EQ(in_doubt, doubtful);
       EXPECT_EQ(others, has_others);
     };

@@ -84,12 +84,16 @@ void check_two(const Environment<3>& env, Cell cell, uint32_t facets, const doub
   for (int i = 0; i < 2; ++i) cells[i] = cells_of_cast(env, cell, ways[i], to, &reached[i]);
   if (!reached[0] || cells[0].empty()) return;
   const Cell last = cells[0].back();
-  const uint32_t both = follow_ways(env, cell, facets, ways, to, last, 3);
+  // Both ways together, and each alone.
+  TwoWays pairs[3];
+  for (uint32_t i = 0; i < 3; ++i) pairs[i] = {{ways[0], ways[1]}, to, cell, last, facets, i + 1, 0};
+  follow_ways(env, pairs, 3);
+  const uint32_t both = pairs[2].leads;
   const double* ridge[2];
   const bool share = shared_ridge(env, env.map.record(cell), lowest_bit(facets), highest_bit(facets), ridge);
   for (uint32_t i = 0; i < 2; ++i) {
     const bool leads = (both >> i & 1) != 0;
-    const uint32_t alone = follow_ways(env, cell, facets, ways, to, last, 1u << i);
+    const uint32_t alone = pairs[i].leads;
     EXPECT_EQ(alone & ~(1u << i), 0u);
     EXPECT_TRUE(alone != 0 || !leads);
     if (alone != 0) {
