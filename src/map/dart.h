@@ -13,11 +13,16 @@ uint32_t dart_vertex(const Map<D>& map, Dart d) {
   return map.vertex(d.cell, map.shape(d.cell).dart_vertex(d.local));
 }
 
+/** beta1 in a shape. */
+template <int D>
+uint32_t next_in_facet(const Shape& shape, uint32_t local) {
+  if (D == 2) return local + 1 == shape.dart_count() ? 0 : local + 1;
+  return shape.beta1(local);
+}
+
 template <int D>
 Dart beta1(const Map<D>& map, Dart d) {
-  const Shape shape = map.shape(d.cell);
-  if (D == 2) return {d.cell, d.local + 1 == shape.dart_count() ? 0 : d.local + 1};
-  return {d.cell, shape.beta1(d.local)};
+  return {d.cell, next_in_facet<D>(map.shape(d.cell), d.local)};
 }
 
 template <int D>
@@ -33,11 +38,13 @@ uint32_t dart_target(const Map<D>& map, Dart d) {
 /** beta_D: the dart of the same edge, turned round, in the cell across the facet. */
 template <int D>
 Dart cross(const Map<D>& map, Dart d) {
-  const HalfFacet o = map.opposite(half_facet(map, d));
+  const Shape left = map.shape(d.cell);
+  const HalfFacet o = map.opposite(map.half_facet(d.cell, left.dart_facet(d.local)));
   if (!o.valid()) return {};
   const Cell c = map.cell_of(o);
   const Shape shape = map.shape(c);
-  const uint32_t facet = map.local_of(o, c), wanted = dart_target(map, d);
+  const uint32_t facet = map.local_of(o, c),
+                 wanted = map.vertex(d.cell, left.dart_vertex(next_in_facet<D>(left, d.local)));
   for (uint32_t e = shape.facet_first(facet); e < shape.facet_first(facet + 1); ++e) {
     if (map.vertex(c, shape.dart_vertex(e)) == wanted) return {c, e};
   }
