@@ -29,12 +29,11 @@ int side_of_line(const double* p, const double* q, const double* a, const double
   return line_side<3>(p, q, ridge, NoTally{}).sign;
 }
 
-/** Whether body segment p q passes through a triangle, in either direction. */
+/** Whether body segment p q passes through a triangle, from whose negative side it comes. */
 bool passes_through(const double* p, const double* q, const double* const* triangle) noexcept {
-  const int after = side_of_plane(triangle, q);
-  if (side_of_plane(triangle, p) == after) return false;
+  if (side_of_plane(triangle, q) < 0) return false;
   for (int k = 0; k < 3; ++k) {
-    if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) != after) return false;
+    if (side_of_line(p, q, triangle[k], triangle[(k + 1) % 3]) < 0) return false;
   }
   return true;
 }
@@ -87,6 +86,7 @@ void SweepFlood<3>::flood_triangle(SweptTriangle& triangle, Cell start, uint32_t
     const Form form = map_.form(c);
     is_signed_ = form == Form::kSimplex || form == Form::kPyramid;
     if (!(is_signed_ ? read_signs(c, form) : read_corners(c))) return;
+    is_flat_ = is_signed_ && map_.convex(c);
     const Shape shape = map_.shape(c);
     look_at_facets(c, shape);
     if (env_.marked_edges != 0) look_at_marked_edges(c, shape);
@@ -138,7 +138,8 @@ void SweepFlood<3>::look_at_facets(Cell c, const Shape& shape) {
   for (uint32_t f = 0; f < shape.facet_count(); ++f) {
     const HalfFacet h = map_.half_facet(c, f), o = map_.opposite(h);
     const bool wall = !o.valid() || map_.facet_marked(h);
-    if ((!wall && cells_.contains(Cell{o.word / kUnitWords<3>})) || !facet_met(shape, f)) continue;
+    if (!wall && cells_.contains(Cell{o.word / kUnitWords<3>})) continue;
+    if (!(is_flat_ ? flat_facet_met(shape, f) : facet_met(shape, f))) continue;
     if (wall || is_impassable(env_, h)) {
       look_at_obstacle(c, shape, f);
     } else {
@@ -162,6 +163,25 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
+/** Finds what facet_met finds, of a convex polygon in a plane: of its sides two pass the swept plane, or none. See simplex_met. */
+bool SweepFlood<3>::flat_facet_met(const Shape& shape, uint32_t facet) const {
+  const uint16_t* const corners = shape.dart_vertices() + shape.facet_first(facet);
+  const uint32_t count = shape.facet_size(facet);
+  uint32_t both = ~0u;
+  bool pierces = false;
+  for (uint32_t i = 0, a = corners[count - 1]; i < count; ++i) {
+    const uint32_t b = corners[i];
+    if (signs_.side[a] != signs_.side[b]) {
+      const uint32_t line = signs_.lines[a][b];
+      both &= line;
+      pierces = pierces || (line & SweptTriangle::kSides) == 0;
+    }
+    a = b;
+  }
+  if (both != 0) return false;
+  return pierces || passes_plane(shape.simplices() + 3 * shape.simplex_first(facet));
+}
+
 /** Whether the swept triangle meets a simplex before the end; may be true of simplices that are met later. The swept
  * plane cuts the simplex in a segment. If an end of the segment is inside of the triangle, they meet. If both ends are
  * outside of the same side, they do not. Otherwise they meet if the segment's line meets the triangle, that is if the
@@ -174,10 +194,13 @@ bool SweepFlood<3>::simplex_met(const uint16_t* local) {
   const int alone = sides[0] == sides[1] ? 2 : sides[1] == sides[2] ? 0 : 1;
   const Corner& tip = *corner[alone];
   const uint32_t a = outside(tip, *corner[(alone + 1) % 3]), b = outside(tip, *corner[(alone + 2) % 3]);
-  if (a == 0 || b == 0) return true;
   if ((a & b) != 0) return false;
-  if ((a & SweptTriangle::kSides) == 0 || (b & SweptTriangle::kSides) == 0) return true;
-  const double* const simplex[3] = {corner[0]->at, corner[1]->at, corner[2]->at};
+  return (a & SweptTriangle::kSides) == 0 || (b & SweptTriangle::kSides) == 0 || passes_plane(local);
+}
+
+/** Whether the swept triangle's corners are on both sides of a simplex's plane. */
+bool SweepFlood<3>::passes_plane(const uint16_t* local) const {
+  const double* const simplex[3] = {corners_[local[0]].at, corners_[local[1]].at, corners_[local[2]].at};
   const EdgeMotion& m = triangle_->motion();
   const int first = side_of_plane(simplex, m.q);
   return side_of_plane(simplex, m.p) != first || side_of_plane(simplex, m.to) != first;
@@ -333,23 +356,26 @@ bool SweepFlood<3>::is_one_fan(const SweepContact& contact) const {
     const HalfFacet walls[2] = {contact.facet, find_wall(env_, contact.facet, edge)};
     if (walls[1].valid() && comes_from(contact) && sees_only_fan(env_, *triangle_, walls, edge)) return true;
   }
-  int passable = 0;
-  for_each_cell_round(contact, [&](Cell c) { passable += is_closed(env_, c) ? 0 : 1; });
-  if (passable == 1) return true;
-  if (contact.dart == kNoFacet) return false;
-  const auto go_on = [&](Dart d) {  // from the cell of d across d's facet
-    while (!is_impassable(env_, half_facet(map_, d))) {
+  if (contact.dart == kNoFacet) {
+    int passable = 0;
+    for_each_cell_round(contact, [&](Cell c) { passable += is_closed(env_, c) ? 0 : 1; });
+    return passable == 1;
+  }
+  bool is_one = true;
+  // From the front across the facet of d, and on round the edge; returns whether the way ends before the boundary.
+  const auto go_round = [&](Dart d) {
+    for (bool is_linked = true;;) {
+      is_linked = is_linked && !is_impassable(env_, half_facet(map_, d));
       const Dart e = beta3(map_, d);
-      if (e.cell == contact.front) return;
-      --passable;
+      if (!e.cell.valid() || e.cell == contact.front) return e.cell.valid();
+      is_one = is_linked || is_closed(env_, e.cell);
+      if (!is_one) return true;
       d = beta2(map_, e);
     }
   };
   const Dart d{contact.front, contact.dart};
-  --passable;
-  go_on(d);
-  if (passable > 0) go_on(beta2(map_, d));
-  return passable <= 0;
+  if (!go_round(beta2(map_, d))) go_round(d);
+  return is_one;
 }
 
 /** Keeps for each event the contact that counts, and sorts these contacts. No two are equivalent in either order, so no

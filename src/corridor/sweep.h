@@ -42,7 +42,9 @@ class SweepFlood<3> : public SolidSweep<3> {
   void look_at_marked_edges(Cell c, const Shape& shape);
   void look_at_obstacle(Cell c, const Shape& shape, uint32_t facet);
   bool facet_met(const Shape& shape, uint32_t facet);
+  bool flat_facet_met(const Shape& shape, uint32_t facet) const;
   bool simplex_met(const uint16_t* local);
+  bool passes_plane(const uint16_t* local) const;
   void consider(const SweepContact& found);
   bool comes_from(const SweepContact& wall) const;
   uint32_t other_at_line(Cell c, const double* const* triangle, const double* const* line) const;
@@ -55,6 +57,7 @@ class SweepFlood<3> : public SolidSweep<3> {
   SweptTriangle* triangle_ = nullptr;  // during a sweep of an edge
   bool is_signed_ = false;             // the cell that is looked at is a tetrahedron or a pyramid; its signs are known:
   CellSigns signs_;
+  bool is_flat_ = false;  // and it is convex with flat facets
   bool collect_ = false;
   bool ends_ = false;                      // at the first contact
   Array<SweepContact> tied_{env_.memory};  // walls at the line of the first contact
