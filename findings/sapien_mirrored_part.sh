@@ -1,7 +1,7 @@
 #!/bin/sh
 # SAPIEN (PhysX on the processor, as under ManiSkill) and a part that is the mirror image of another: one convex mesh with the scale -1 along an axis.
 # One would guess that the mirrored part has the weight of the first and its centre on the other side: left and right links of robots are often given by
-# one file, URDF has a scale for it, and the guide has a scale for each axis and says nothing of its sign. Rays, bounds and other things' contacts see it.
+# one file, and there is a scale for each axis in URDF and in SAPIEN's builder, whose help says nothing of its sign. A ball that falls on it lies on it rightly.
 # What happens: a wedge of 1000 kg by its density weighs a milligram once it is mirrored by x, by y or by all three, and its centre of mass is 667 m away
 # (mirrored twice, it is right). It does not come to rest on flat ground as the first does, but moves on by more than 10 m within three seconds. It is the
 # same as a mesh that is not convex, and from a URDF file whose links have no inertial element. No warning is given.
