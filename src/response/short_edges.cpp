@@ -56,7 +56,7 @@ void ShortEdges<D>::start(bool looks) {
   for (uint32_t i = 0; i < doubts; ++i) {
     if (!ways[in_doubt_[i]].arrival.valid()) doubt_neighbours(in_doubt_[i]);
   }
-  asked_.assign(count, Asked{});
+  asked_.assign(count, LastAsked{});
   answers_.clear();
   pair_count_ = question_count_ = answered_ = 0;  // a move that ran out of memory leaves some
 }
@@ -171,18 +171,22 @@ void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, Seen& seen)
   }
 }
 
-/** Adds an edge whose end v goes first: no edge is told of where that does not move. Its question is new if the cell was not the last one that was asked about for the same vertex. */
+/** Adds an edge whose end v goes first. Where v does not move, nothing is told of the edge. Its question is new if the cell is not
+ * one of the last two that were asked about for v. */
 template <int D>
 DSW_HOT void ShortEdges<D>::add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns) {
-  Asked& asked = asked_[v];
-  if (asked.cell != cell) {
-    const uint32_t i = question_count_++;
-    asked = {cell, answered_ + i};
-    cells_[i] = {cell};
-    arrivals_[i] = course_.motion.ways[v].arrival;
-    points_[i] = course_.motion.targets[v];
+  Asked(&asked)[2] = asked_[v].of;
+  if (asked[0].cell != cell) {
+    std::swap(asked[0], asked[1]);
+    if (asked[0].cell != cell) {
+      const uint32_t i = question_count_++;
+      asked[0] = {cell, answered_ + i};
+      cells_[i] = {cell};
+      arrivals_[i] = course_.motion.ways[v].arrival;
+      points_[i] = course_.motion.targets[v];
+    }
   }
-  pairs_[pair_count_++] = {asked.question, static_cast<uint16_t>(place), static_cast<uint16_t>(turns)};
+  pairs_[pair_count_++] = {asked[0].question, static_cast<uint16_t>(place), static_cast<uint16_t>(turns)};
 }
 
 /** Answers all questions: goes from cell to cell while one facet alone has the target outside. */
@@ -194,23 +198,21 @@ void ShortEdges<D>::answer() {
   Answer* const answers = answers_.data() + answered_;
   answered_ += count;
   uint8_t open[kMostPairs], facets[kMostPairs];
-  for (uint32_t i = 0; i < count; ++i) open[i] = static_cast<uint8_t>(i);
   for (uint32_t depth = 0; depth < kMostLooks && count != 0; ++depth) {
     find_outside(env_, cells_, points_, count, facets);
     uint32_t kept = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      const uint32_t outside = facets[i], rest = outside & (outside - 1);
-      if (outside == 0 || (rest & (rest - 1)) != 0) continue;
-      Answer& told = answers[open[i]];
+      const uint32_t question = depth == 0 ? i : open[i], outside = facets[i], rest = outside & (outside - 1);
       if (rest != 0) {
-        told = {outside, cells_[i]};
+        if ((rest & (rest - 1)) == 0) answers[question] = {outside, cells_[i]};
         continue;
       }
+      if (outside == 0) continue;
       const Cell next = open_neighbour(env_, cells_[i], lowest_bit(outside));
       if (next == arrivals_[i]) {
-        told.facets = Answer::kReached;
+        answers[question].facets = Answer::kReached;
       } else if (next.valid()) {
-        open[kept] = open[i];
+        open[kept] = static_cast<uint8_t>(question);
         cells_[kept] = next;
         arrivals_[kept] = arrivals_[i];
         points_[kept++] = points_[i];

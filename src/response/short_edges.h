@@ -79,9 +79,13 @@ class ShortEdges {
   struct Ends {
     uint32_t first, second;  // in the order of their turns
   };
-  /** What was last asked of a vertex: whether its target is reached from a cell. */
+  /** What was asked of a vertex: whether its target is reached from a cell. */
   struct Asked {
     uint32_t cell = kNone, question = 0;
+  };
+  /** The last two such questions, the last one first. */
+  struct LastAsked {
+    Asked of[2];
   };
   /** kReached; or the two facets that have the target outside, and the last cell that was looked at; or 0: nothing is known. */
   struct Answer {
@@ -109,7 +113,7 @@ class ShortEdges {
   Array<uint32_t> words_{env_.memory};     // by vertex
   Array<uint32_t> now_{env_.memory};       // by vertex
   Array<uint32_t> in_doubt_{env_.memory};  // vertices, at the start
-  Array<Asked> asked_{env_.memory};        // by vertex
+  Array<LastAsked> asked_{env_.memory};    // by vertex
   Array<Answer> answers_{env_.memory};     // by question
   // What is asked of the edges that are looked at.
   uint32_t pair_count_ = 0, question_count_ = 0, answered_ = 0;
