@@ -44,6 +44,8 @@ inline DoublePair pair_of(PairMask bits) noexcept {
   return x;
 }
 
+inline DoublePair turned(DoublePair x) noexcept { return {{x.lane[1], x.lane[0]}}; }
+
 /** Eight short words. */
 struct alignas(16) ShortEight {
   int16_t lane[8];

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/compiler.h"
+#include "base/point_ends.h"
 
 namespace dsw {
 namespace {
@@ -17,24 +18,23 @@ bool is_finite_point(const double* point, int dimension) noexcept {
   return true;
 }
 
-/** One pass without branches: x - x is 0 for a finite x and NaN, which is not all zero bits, for any other. */
-bool all_finite(const double* values, size_t count) noexcept {
-  constexpr size_t kPairs = 4;
-  PairMask seen[kPairs] = {};
+/** Whether all numbers of some arrays are finite. One pass without branches: x - x is 0 for a finite x and NaN, which is not all zero
+ * bits, for any other. */
+template <size_t Arrays>
+bool all_finite(const double* const (&arrays)[Arrays], size_t count) noexcept {
+  PairMask seen[4] = {};
   size_t i = 0;
-  for (; i + 2 * kPairs <= count; i += 2 * kPairs) {
-    for (size_t k = 0; k < kPairs; ++k) {
+  for (; i + 4 <= count; i += 4) {
+    for (size_t k = 0; k < 2 * Arrays; ++k) {
       DoublePair x;
-      std::memcpy(&x, values + i + 2 * k, sizeof x);
+      std::memcpy(&x, arrays[k / 2] + i + 2 * (k % 2), sizeof x);
       seen[k] |= bits_of(x - x);
     }
   }
-  for (; i + 2 <= count; i += 2) {
-    DoublePair x;
-    std::memcpy(&x, values + i, sizeof x);
-    seen[0] |= bits_of(x - x);
+  double rest = 0;
+  for (; i < count; ++i) {
+    for (const double* const values : arrays) rest += values[i] - values[i];
   }
-  const double rest = i < count ? values[i] - values[i] : 0;
   const PairMask all = (seen[0] | seen[1]) | (seen[2] | seen[3]);
   return rest == 0 && (all[0] | all[1]) == 0;
 }
@@ -67,7 +67,7 @@ PointText::PointText(const double* point, int dimension) noexcept {
 
 size_t find_non_finite(PointArray points, size_t count, int dimension) noexcept {
   const bool dense = points.step == static_cast<size_t>(dimension);
-  if (count == 0 || (dense && all_finite(points.data, count * points.step))) return count;
+  if (count == 0 || (dense && all_finite({points.data}, count * points.step))) return count;
   for (size_t i = 0; i < count; ++i) {
     if (!is_finite_point(points[i], dimension)) return i;
   }
@@ -109,6 +109,18 @@ PointArray to_finite_points(int dimension, const double* points, size_t count, s
   const PointArray all = to_points(dimension, points, count, stride_bytes, name);
   check_finite(all, count, dimension, {name, true});
   return all;
+}
+
+PointEnds to_finite_ends(int dimension, const double* from, const double* to, size_t count, size_t stride_bytes) {
+  const PointArray starts = to_points(dimension, from, count, stride_bytes, "from");
+  if (count != 0) require(to, "to");
+  const PointArray ends = {to, starts.step};
+  const bool dense = starts.step == static_cast<size_t>(dimension);
+  if (!dense || !all_finite({from, to}, count * starts.step)) {
+    check_finite(starts, count, dimension, {"from", true});
+    check_finite(ends, count, dimension, {"to", true});
+  }
+  return {starts, ends};
 }
 
 PointArray to_finite_point(int dimension, const double* point, const char* name) {

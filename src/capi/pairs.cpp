@@ -1,5 +1,6 @@
 #include "dartsweep/pairs.h"
 
+#include "base/point_ends.h"
 #include "capi/handle.h"
 #include "capi/rows.h"
 #include "query/moving_pairs.h"
@@ -45,11 +46,6 @@ void check_indices(const uint32_t* indices, size_t count, size_t motion_count) {
   }
 }
 
-/** The points of all pairs, which are finite. */
-struct Points {
-  dsw::PointArray starts, ends;
-};
-
 /** What both functions are given. */
 struct Arguments {
   const dsw_context* context;
@@ -60,7 +56,7 @@ struct Arguments {
   size_t stride_bytes;
   dsw_pair_touch* touches;
 
-  Points check() const {
+  dsw::PointEnds check() const {
     if (context != nullptr) capi::check_handle(context);
     if (dimension != 2 && dimension != 3) fail(DSW_STATUS_OUT_OF_RANGE, "dimension is %u, must be 2 or 3", dimension);
     if (count > kMostPairs) fail(DSW_STATUS_TOO_LARGE, "count is %zu, must be at most %zu", count, kMostPairs);
@@ -68,8 +64,7 @@ struct Arguments {
     dsw::check_flags(flags, DSW_PAIRS_RANK, "flags");
     const int D = static_cast<int>(dimension);
     const size_t point_count = count * (dimension + 1);
-    const Points points = {dsw::to_finite_points(D, from, point_count, stride_bytes, "from"),
-                           dsw::to_finite_points(D, to, point_count, stride_bytes, "to")};
+    const dsw::PointEnds points = dsw::to_finite_ends(D, from, to, point_count, stride_bytes);
     dsw::require_array(touches, count, "touches");
     check_kinds(dimension, kinds, count);
     return points;
@@ -86,7 +81,7 @@ dsw_status dsw_sweep_pairs(const dsw_context* context, uint32_t dimension, size_
                            dsw_pair_touch* touches) {
   return capi::guard(__func__, [&] {
     const Arguments a{context, dimension, flags, count, kinds, from, to, stride_bytes, touches};
-    const Points points = a.check();
+    const dsw::PointEnds points = a.check();
     capi::with_dimension(dimension, [&](auto d) {
       dsw::sweep_pairs<decltype(d)::value>(capi::memory_of(context), a.parallel(), count, kinds, points.starts,
                                            points.ends, a.has_ranks(), touches);
@@ -100,7 +95,7 @@ dsw_status dsw_sweep_rigid_pairs(const dsw_context* context, uint32_t dimension,
                                  dsw_pair_touch* touches) {
   return capi::guard(__func__, [&] {
     const Arguments a{context, dimension, flags, count, kinds, from, to == nullptr ? from : to, stride_bytes, touches};
-    const Points points = a.check();
+    const dsw::PointEnds points = a.check();
     dsw::require_array(motions, motion_count, "motions");
     dsw::require_array(indices, count, "indices");
     check_motions(dimension, motions, motion_count);

@@ -40,7 +40,7 @@ Vec touch_edge(const PairContact<3>& met, const EdgeMotion& m, const double* con
   const Vec move = difference<3>(m.to, m.p), edge = difference<3>(m.q, touch.position), other = difference<3>(b, a);
   if (met.place == TouchPlace::kInside) {
     triangle_piercing_point(m, a, b, touch.point);
-    return against(unit(unit(edge).cross(unit(other))), move);
+    return against(unit_across(edge, other), move);
   }
   if (met.place == TouchPlace::kVertex) {
     return back_across(move, other, are_collinear(m.p, m.to, a) && are_collinear(m.p, m.to, b));
@@ -75,7 +75,7 @@ Touch touch_of(const Environment<D>& env, const Body<D>& body, uint32_t v, const
     const BodyFace& face = body.faces[met.part.index];
     const double *const q = body.position(face.after(v)), *const r = body.position(face.before(v));
     std::copy_n(at[0], D, touch.point);
-    normal = against(unit(unit(difference<D>(q, touch.position)).cross(unit(difference<D>(r, touch.position)))), move);
+    normal = against(unit_across(difference<D>(q, touch.position), difference<D>(r, touch.position)), move);
   } else if (met.other_part.kind == Simplex::kFace) {
     normal = normal_on<D>(orient<D>(at, from), at, move);
   } else {

@@ -16,7 +16,7 @@ namespace {
 
 /** Across a body's edge and the obstacle's; zero if they have no such direction. */
 Vec across_edges(const EdgeMotion& m, const double* position, const SweepEvent& event) {
-  return unit(unit(difference<3>(m.q, position)).cross(unit(difference<3>(event.points[2], event.points[1]))));
+  return unit_across(difference<3>(m.q, position), difference<3>(event.points[2], event.points[1]));
 }
 
 /** Where segment ab pierces the swept plane, by the exact ratio. It does not lie in it: shifted, both ends of a line in
@@ -29,7 +29,7 @@ void piercing_point(const EdgeMotion& m, const double* a, const double* b, doubl
 
 /** Out of the obstacle's triangle or side, which looks out of the cell in front; zero for a marked edge or a vertex. */
 template <int D>
-Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
+DSW_NOINLINE Vec wall_normal(const Environment<D>& env, const SweepContact& contact) {
   if (!contact.facet.valid() || contact.vertex != kNoVertex) return {};
   const double* simplex[D];
   boundary_points(env, contact.front, contact.simplex, simplex);
@@ -122,6 +122,8 @@ double share_along(const double* end, const double* q, const double* point) {
   return share > 0 ? std::min(share, 1.0) : 0;
 }
 
+DSW_COLD Vec unit_across(const Vec& a, const Vec& b) { return unit(unit(a).cross(unit(b))); }
+
 template <int D>
 Touch touch_of(const Environment<D>& env, const double* p, const double* to, const SweepContact& met) {
   const SweepEvent& event = met.event;
@@ -149,7 +151,7 @@ Touch touch_of(const Environment<D>& env, const double* p, const double* to, con
   } else if (event.kind == EventKind::kFace) {
     std::copy_n(event.points[2], D, g.point);
     const Vec face =
-        unit(unit(difference<D>(event.points[0], g.position)).cross(unit(difference<D>(event.points[1], g.position))));
+        unit_across(difference<D>(event.points[0], g.position), difference<D>(event.points[1], g.position));
     normal = against(!is_zero(face) ? face : Vec(-1.0 * move), move, wall);
   } else {
     normal = is_quick ? to_vec<D>(quick.normal) : wall();

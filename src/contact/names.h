@@ -8,7 +8,7 @@
 namespace dsw {
 
 template <int D>
-dsw_volume_id volume_id(const Map<D>& map, Cell c) noexcept {
+DSW_NOINLINE dsw_volume_id volume_id(const Map<D>& map, Cell c) noexcept {
   return c.valid() ? dsw_volume_id{map.index(c), map.generation(c)} : dsw_volume_id{0, 0};
 }
 

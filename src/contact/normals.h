@@ -9,6 +9,9 @@ namespace dsw {
 /** `chosen` turned against the motion; where there is none, against the motion itself. */
 Vec against(const Vec& chosen, const Vec& move);
 
+/** The unit vector across two directions; zero if they have none. */
+Vec unit_across(const Vec& a, const Vec& b);
+
 /** Unit normal of a triangle, in the plane of an edge, on that side. Of what moves within it, against the motion. */
 template <int D>
 Vec normal_on(int side, const double* const* corners, const Vec& move);

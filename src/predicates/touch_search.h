@@ -50,11 +50,19 @@ struct Curve {
     return second;
   }
 
-  // Keeps what is before a time t.
-  void cut(double t) noexcept {
-    for (int round = 1; round < N; ++round) {
-      for (int i = N - 1; i >= round; --i) c[i] = (1 - t) * c[i - 1] + t * c[i];
+  // What is between two times, which have digits that end at 2^-20: so 1 less a time is exact.
+  DSW_NOINLINE Curve part(double low, double high) const noexcept {
+    Curve part;
+    for (int i = 0; i < N; ++i) {
+      double value[N];
+      for (int k = 0; k < N; ++k) value[k] = c[k];
+      for (int round = N - 1; round > 0; --round) {
+        const double t = round > i ? low : high;
+        for (int k = 0; k < round; ++k) value[k] = (1 - t) * value[k] + t * value[k + 1];
+      }
+      part.c[i] = value[0];
     }
+    return part;
   }
 
   double at(double t) const noexcept {
@@ -86,11 +94,7 @@ inline Filtered judge(PairKind, const int (&s)[2]) noexcept {
 template <int V, int C, int kConditions>
 class Search {
  public:
-  explicit Search(PairKind kind) noexcept : kind_(kind) {
-    whole.low = 0;
-    whole.high = 1;
-    whole.halvings = 0;
-  }
+  explicit Search(PairKind kind) noexcept : kind_(kind) {}
 
   struct Piece {
     double low, high;
@@ -104,28 +108,35 @@ class Search {
   double volume_error = 0, condition_error = 0, root_error = 0, most_steps = 3;
 
   // What comes after a time in (0,1] is left out. Its digits end at 2^-20, so that the ends of all halves are exact.
-  // It may count as some halvings, for the sake of what it adds to the errors.
-  void end_at(double time, int halvings = 0) noexcept {
-    end_ = time;
-    if (time < 1) whole.halvings = halvings;
-  }
+  void end_at(double time) noexcept { end_ = time; }
 
   // The volume in whole is known. Calls find_conditions() once before others are read, and volume_at(time), which returns
   // a dd::Number. For kTouches, *time is that of FirstTouch.
   template <class FindConditions, class VolumeAt>
   Filtered first_touch(FindConditions find_conditions, VolumeAt volume_at, double* time) noexcept {
-    Curve<V + 1> volume = whole.volume;
-    if (end_ < 1) volume.cut(end_);
+    const bool is_cut = end_ < 1;
+    const Curve<V + 1> volume = is_cut ? whole.volume.part(0, end_) : whole.volume;
     if (volume.sign(volume_error) != 0) return Filtered::kApart;
     find_conditions();
+    return first_touch_in(0, end_, 0, volume_at, time);
+  }
+
+  // What first_touch does, between two times whose digits end at 2^-20. The conditions are known, too. To leave out what is before and
+  // after may count as some halvings, for the sake of what it adds to the errors.
+  template <class VolumeAt>
+  DSW_NOINLINE Filtered first_touch_in(double low, double high, int halvings, VolumeAt volume_at,
+                                       double* time) noexcept {
     Piece left[kMostHalvings + 1];
-    int count = 0;
-    left[count++] = whole;
-    if (end_ < 1) {
-      left[0].high = end_;
-      left[0].volume = volume;
-      for (Curve<C + 1>& condition : left[0].condition) condition.cut(end_);
+    int count = 1;
+    if (low > 0 || high < 1) {
+      left[0].volume = whole.volume.part(low, high);
+      for (int i = 0; i < kConditions; ++i) left[0].condition[i] = whole.condition[i].part(low, high);
+    } else {
+      left[0] = whole;
     }
+    left[0].low = low;
+    left[0].high = high;
+    left[0].halvings = halvings;
     while (count > 0) {
       Piece& piece = left[--count];
       if (piece.volume.sign(volume_error) != 0) continue;

@@ -55,28 +55,36 @@ struct Ranked {
   bool is_exact;
 };
 
-/** `ranked`: all pairs, in their order, or none. */
+/** Pairs begin .. end-1. `ranked`: all pairs, in their order, or null. */
 template <class Pairs>
-void find_touches(const Pairs& pairs, const Parallel& parallel, size_t count, dsw_pair_touch* touches,
-                  Array<Ranked>& ranked) {
-  share_or_throw([&](auto& chunk) { share_out(parallel, count, chunk); },
-                 [&](size_t begin, size_t end) {
-                   for (size_t i = begin; i < end; ++i) {
-                     const FirstTouch touch = first_touch(pairs[i]);
-                     touches[i] = {touch.time, touch.touches ? 1u : 0u, 0};
-                     if (!ranked.empty()) ranked[i] = {static_cast<uint32_t>(i), touch.is_exact};
-                   }
-                 });
+void find_touches(const Pairs& pairs, size_t begin, size_t end, dsw_pair_touch* touches, Ranked* ranked) {
+  for (size_t i = begin; i < end; ++i) {
+    const FirstTouch touch = first_touch(pairs[i]);
+    touches[i] = {touch.time, touch.touches ? 1u : 0u, 0};
+    if (ranked != nullptr) ranked[i] = {static_cast<uint32_t>(i), touch.is_exact};
+  }
 }
 
+/** The order of first times in a batch: the sign of a's minus b's. Both touch. */
+struct Order {
+  const void* pairs;
+  const dsw_pair_touch* touches;
+  int (*compare)(const Order& order, const Ranked& a, const Ranked& b);
+};
+
 template <class Pairs>
-void find_ranks(const Pairs& pairs, Array<Ranked>& ranked, size_t count, dsw_pair_touch* touches) {
+int compare_touches(const Order& order, const Ranked& a, const Ranked& b) {
+  const Pairs& pairs = *static_cast<const Pairs*>(order.pairs);
+  const FirstTouch of_a{true, order.touches[a.pair].time, a.is_exact},
+      of_b{true, order.touches[b.pair].time, b.is_exact};
+  return compare_first_touches(pairs[a.pair], of_a, pairs[b.pair], of_b);
+}
+
+/** One function for all kinds of pairs: a sort is 5 KB of code. */
+void find_ranks(const Order& order, Array<Ranked>& ranked, size_t count, dsw_pair_touch* touches) {
   const auto is_apart = [&](const Ranked& each) { return touches[each.pair].touches == 0; };
   ranked.erase(std::remove_if(ranked.begin(), ranked.end(), is_apart), ranked.end());
-  const auto compare = [&](const Ranked& a, const Ranked& b) {
-    const FirstTouch of_a{true, touches[a.pair].time, a.is_exact}, of_b{true, touches[b.pair].time, b.is_exact};
-    return compare_first_touches(pairs[a.pair], of_a, pairs[b.pair], of_b);
-  };
+  const auto compare = [&](const Ranked& a, const Ranked& b) { return order.compare(order, a, b); };
   std::sort(ranked.begin(), ranked.end(), [&](const Ranked& a, const Ranked& b) { return compare(a, b) < 0; });
   const auto touching = static_cast<uint32_t>(ranked.size());
   for (size_t i = 0; i < count; ++i) touches[i].rank = touching;
@@ -86,13 +94,27 @@ void find_ranks(const Pairs& pairs, Array<Ranked>& ranked, size_t count, dsw_pai
   }
 }
 
+/** Fills touches of a batch that may be shared out, and may have ranks. */
+template <class Pairs>
+DSW_NOINLINE void sweep_many(const Memory* memory, const Parallel& parallel, const Pairs& pairs, size_t count,
+                             bool with_ranks, dsw_pair_touch* touches) {
+  Array<Ranked> ranked(with_ranks ? count : 0, Ranked{}, memory);
+  share_or_throw([&](auto& chunk) { share_out(parallel, count, chunk); },
+                 [&](size_t begin, size_t end) {
+                   find_touches(pairs, begin, end, touches, with_ranks ? ranked.data() : nullptr);
+                 });
+  if (with_ranks) find_ranks({&pairs, touches, compare_touches<Pairs>}, ranked, count, touches);
+}
+
 /** Fills touches. */
 template <class Pairs>
 void sweep_all(const Memory* memory, const Parallel& parallel, const Pairs& pairs, size_t count, bool with_ranks,
                dsw_pair_touch* touches) {
-  Array<Ranked> ranked(with_ranks ? count : 0, Ranked{}, memory);
-  find_touches(pairs, parallel, count, touches, ranked);
-  if (with_ranks) find_ranks(pairs, ranked, count, touches);
+  if (with_ranks || count > kChunk) {
+    sweep_many(memory, parallel, pairs, count, with_ranks, touches);
+  } else {
+    find_touches(pairs, 0, count, touches, nullptr);
+  }
 }
 
 }  // namespace
