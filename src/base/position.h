@@ -9,6 +9,12 @@
 
 namespace dsw {
 
+/** Whether two positions have the same coordinates. */
+template <int D>
+inline bool is_same_place(const double* a, const double* b) noexcept {
+  return a[0] == b[0] && a[1] == b[1] && (D == 2 || a[D - 1] == b[D - 1]);
+}
+
 /** To compare with others; overflows to infinity, which compares as it should. */
 template <int D>
 inline double distance_squared(const double* a, const double* b) noexcept {

@@ -22,13 +22,10 @@ struct SimplexCorners {
   const uint32_t* end() const { return vertices + count; }
 };
 
-/** Calls visit(simplex) for all that the level of a body covers: vertices, then edges, then faces. Stops when it
- * returns false; whether it never did. */
+/** Calls visit(simplex) for the edges, then the faces, that the level of a body covers. Stops when it returns false; whether it
+ * never did. */
 template <int D, class Visit>
-bool for_each_simplex(const Body<D>& body, Visit visit) {
-  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
-    if (body.has_vertex(v) && !visit(Simplex{Simplex::kVertex, v})) return false;
-  }
+bool for_each_edge_and_face(const Body<D>& body, Visit visit) {
   for (uint32_t e = 0; covers_edges(body.level) && e < body.edges.size(); ++e) {
     if (body.has_edge(e) && !visit(Simplex{Simplex::kEdge, e})) return false;
   }
@@ -36,6 +33,16 @@ bool for_each_simplex(const Body<D>& body, Visit visit) {
     if (body.has_face(f) && !visit(Simplex{Simplex::kFace, f})) return false;
   }
   return true;
+}
+
+/** Calls visit(simplex) for all that the level of a body covers: vertices, then edges, then faces. Stops when it
+ * returns false; whether it never did. */
+template <int D, class Visit>
+bool for_each_simplex(const Body<D>& body, Visit visit) {
+  for (uint32_t v = 0; v < body.vertices.size(); ++v) {
+    if (body.has_vertex(v) && !visit(Simplex{Simplex::kVertex, v})) return false;
+  }
+  return for_each_edge_and_face(body, visit);
 }
 
 /** Calls visit(simplex) for vertex v, then for the edges and faces at v that the body's level covers. Stops when visit

@@ -22,8 +22,9 @@ void point_on_way(const double* from, const double* to, double time, double* pla
 /** Finds the point as point_on_way does, but never leaves the box of the whole way, for which obstacles were collected. */
 template <int D>
 void place_on_way(const double* from, const double* to, double time, double* place) noexcept {
+  if (time == 0 || time == 1) return point_on_way<D>(from, to, time, place);
   double there[D];
-  point_on_way<D>(from, to, time, there);
+  point_at<D>(from, to, time, there);
   for (int k = 0; k < D; ++k) {
     place[k] = std::clamp(there[k], std::min(from[k], to[k]), std::max(from[k], to[k]));
   }

@@ -14,16 +14,20 @@ template <int D>
 uint32_t FarEdges<D>::leave_out(const Trajectory<D>& of, Array<uint32_t>& edges) {
   const CellTree<D>* const tree = find_tree(edges.size());
   if (tree == nullptr) return 0;
-  box_ways(of, edges);
-  group_ways();
+  group_edges(of, edges);
   is_far_.resize(group_boxes_.size());
   for (size_t g = 0; g < group_boxes_.size(); ++g) is_far_[g] = is_far(*tree, group_boxes_[g]) ? 1 : 0;
+  const size_t count = edges.size();
   size_t kept = 0;
-  for (size_t i = 0; i < boxes_.size(); ++i) {
-    if (is_far_[groups_[i]] == 0 && !is_far(*tree, boxes_[i])) edges[kept++] = edges[i];
+  for (const uint32_t e : edges) {
+    const uint32_t(&ends)[2] = of.motion.body->edges[e].ends;
+    if (is_far_[vertices_[ends[0]].group] != 0) continue;
+    Box<D> box = vertices_[ends[0]].way;
+    box.add(vertices_[ends[1]].way);
+    if (!is_far(*tree, box)) edges[kept++] = e;
   }
   edges.resize(kept);
-  return static_cast<uint32_t>(boxes_.size() - kept);
+  return static_cast<uint32_t>(count - kept);
 }
 
 /** The tree, if it has all obstacles and is worth it for so many edges; else null. */
@@ -40,42 +44,54 @@ const CellTree<D>* FarEdges<D>::find_tree(size_t edges) const {
   return nullptr;
 }
 
+/** The side of a cube of the lattice: some sides of boxes of edges, on the average of a few of these. */
 template <int D>
-void FarEdges<D>::box_ways(const Trajectory<D>& of, const Array<uint32_t>& edges) {
-  boxes_.assign(edges.size(), Box<D>());
-  for (size_t i = 0; i < edges.size(); ++i) {
-    for (const uint32_t v : of.motion.body->edges[edges[i]].ends) {
-      boxes_[i].add(of.start(v));
-      boxes_[i].add(of.end(v));
-    }
-  }
-}
-
-/** Edges of which the boxes begin in the same cube of a lattice make a group. */
-template <int D>
-void FarEdges<D>::group_ways() {
-  constexpr double kSizes = 4, kMostCubes = 1024;  // sides of boxes for a cube, on the average; cubes along an axis
-  constexpr uint32_t kBits = 10;
-  Box<D> all;
-  double sum = 0, extent = 0;
-  for (const Box<D>& box : boxes_) {
-    all.add(box);
+double FarEdges<D>::size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>& edges) {
+  constexpr double kSizes = 4;
+  constexpr size_t kLooked = 64;
+  const size_t step = edges.size() / kLooked + 1;
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < edges.size(); i += step, ++count) {
+    const Box<D> box = box_of_way(of, {Simplex::kEdge, edges[i]});
     for (int k = 0; k < D; ++k) sum += (box.upper[k] - box.lower[k]) / D;
   }
-  for (int k = 0; k < D; ++k) extent = std::max(extent, all.upper[k] - all.lower[k]);
-  const double cube = std::max(kSizes * sum / static_cast<double>(boxes_.size()), extent / kMostCubes);
+  return kSizes * sum / static_cast<double>(count);
+}
+
+/** Finds the way of a vertex, and its group: vertices that start in the same cube of a lattice. */
+template <int D>
+const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>& of, uint32_t v, double cubes) {
+  constexpr double kMostCubes = 1 << 20;  // to either side of the origin; those farther out share the last ones
+  constexpr uint32_t kBits = 21;
+  Vertex& vertex = vertices_[v];
+  if (vertex.group != kNone) return vertex;
+  vertex.way.add(of.start(v));
+  vertex.way.add(of.end(v));
+  uint64_t key = 0;
+  for (int k = 0; k < D; ++k) {
+    const double at = of.start(v)[k] * cubes + kMostCubes;
+    key = key << kBits | (at > 0 ? static_cast<uint64_t>(std::min(at, 2 * kMostCubes - 1)) : 0);
+  }
+  vertex.group = keys_.insert(key);
+  if (vertex.group == group_boxes_.size()) group_boxes_.emplace_back();
+  return vertex;
+}
+
+/** An edge is in the group of its first end. */
+template <int D>
+void FarEdges<D>::group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges) {
+  const double cubes = 1 / size_of_cubes(of, edges);
   keys_.clear();
   group_boxes_.clear();
-  groups_.resize(boxes_.size());
-  for (size_t i = 0; i < boxes_.size(); ++i) {
-    uint64_t key = 0;
-    for (int k = 0; k < D; ++k) {
-      const double at = (boxes_[i].lower[k] - all.lower[k]) / cube;
-      key = key << kBits | (at > 0 ? static_cast<uint64_t>(std::min(at, kMostCubes - 1)) : 0);
-    }
-    groups_[i] = keys_.insert(key);
-    if (groups_[i] == group_boxes_.size()) group_boxes_.emplace_back();
-    group_boxes_[groups_[i]].add(boxes_[i]);
+  vertices_.assign(of.motion.ways.size(), Vertex{});
+  for (const uint32_t e : edges) {
+    const uint32_t(&ends)[2] = of.motion.body->edges[e].ends;
+    const Vertex& first = find_vertex(of, ends[0], cubes);
+    const Vertex& last = find_vertex(of, ends[1], cubes);
+    Box<D>& box = group_boxes_[first.group];
+    box.add(first.way);
+    box.add(last.way);
   }
 }
 

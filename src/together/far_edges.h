@@ -20,13 +20,17 @@ class FarEdges {
 
  private:
   const CellTree<D>* find_tree(size_t edges) const;
-  void box_ways(const Trajectory<D>& of, const Array<uint32_t>& edges);
-  void group_ways();
+  struct Vertex {
+    Box<D> way;
+    uint32_t group = kNone;  // kNone: not looked at yet
+  };
+  static double size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>& edges);
+  const Vertex& find_vertex(const Trajectory<D>& of, uint32_t v, double cubes);
+  void group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges);
 
   const Environment<D>& env_;
-  Array<Box<D>> boxes_{env_.memory};     // of the ways of the edges in the list
+  Array<Vertex> vertices_{env_.memory};  // of the body
   KeyTable keys_{env_.memory};           // of groups of edges that lie side by side
-  Array<uint32_t> groups_{env_.memory};  // of the edges
   Array<Box<D>> group_boxes_{env_.memory};
   Array<uint8_t> is_far_{env_.memory};  // by group
 };

@@ -71,7 +71,7 @@ struct Trajectory {
   double* goal(uint32_t v) { return goals.data() + size_t{v} * D; }
   /** All places on the ways of a vertex are in the box of its start and this place, in most calls its target. */
   const double* reach(uint32_t v) const { return reaches.empty() ? motion.targets[v] : &reaches[size_t{v} * D]; }
-  bool moves(uint32_t v) const { return !std::equal(start(v), start(v) + D, end(v)); }
+  bool moves(uint32_t v) const { return !is_same_place<D>(start(v), end(v)); }
   /** Gives all vertices of a led trajectory their rooms: the boxes of their ways, and that much beyond. */
   void set_rooms(double room_beyond) {
     beyond = room_beyond;

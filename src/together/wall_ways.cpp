@@ -198,13 +198,13 @@ bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit vi
     const Trajectory<D>& of = trajectories[t];
     plain_.clear();
     const auto look_at = [&](const Simplex& part) {
-      return part.kind == Simplex::kVertex || is_done_with_edge(of, part) || visit_part(of, t, part, visit);
+      return (part.kind == Simplex::kEdge && is_done_with_edge(of, part.index)) || visit_part(of, t, part, visit);
     };
     if (note_new_parts(of)) {
       if (!dsw::all_of(parts_.begin(), parts_.end(), look_at)) return false;
     } else {
       note_vertices(of);
-      if (!for_each_simplex(*of.motion.body, look_at)) return false;
+      if (!for_each_edge_and_face(*of.motion.body, look_at)) return false;
     }
     if (!visit_plain_edges(of, t, visit)) return false;
   }
@@ -221,8 +221,6 @@ bool WallWays<D>::visit_plain_edges(const Trajectory<D>& of, uint32_t number, Vi
     return use(PartWay(of, number, {Simplex::kEdge, e}, corners, limit_of(of, corners)));
   };
   const uint32_t before = counts.skipped;
-  const auto stands = [&](uint32_t e) { return !(limit_of(of, {*of.motion.body, {Simplex::kEdge, e}}) > 0); };
-  plain_.erase(std::remove_if(plain_.begin(), plain_.end(), stands), plain_.end());
   counts.skipped += far_.leave_out(of, plain_);
   open_.clear();
   for (const uint32_t e : plain_) {
@@ -257,7 +255,7 @@ template <int D>
 void WallWays<D>::note_vertex(const Trajectory<D>& of, uint32_t v) {
   const VertexWay& way = of.motion.ways[v];
   vertices_[v] = static_cast<uint8_t>((of.is_new[v] != 0 ? kNew : 0) | (of.moves(v) ? kMoves : 0) |
-                                      (way.from != way.arrival ? kLeaves : 0));
+                                      (way.from != way.arrival ? kLeaves : 0) | (of.limits[v] > 0 ? 0 : kStands));
 }
 
 /** Notes of each vertex what is asked for all edges at it. */
@@ -298,9 +296,8 @@ bool WallWays<D>::note_new_parts(const Trajectory<D>& of) {
 
 /** Whether a part is an edge that need not be looked at, or that stays in one convex cell, as most do. */
 template <int D>
-bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, const Simplex& part) {
-  if (part.kind != Simplex::kEdge) return false;
-  const uint32_t(&ends)[2] = of.motion.body->edges[part.index].ends;
+bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, uint32_t edge) {
+  const uint32_t(&ends)[2] = of.motion.body->edges[edge].ends;
   const uint32_t noted = vertices_[ends[0]] | vertices_[ends[1]];
   if ((noted & kNew) == 0 || (noted & kMoves) == 0) return true;
   const Cell cell = of.motion.ways[ends[0]].from;
@@ -313,17 +310,19 @@ bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, const Simplex& part
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
-  const SimplexCorners<D> corners(*of.motion.body, part);
   const bool is_edge = part.kind == Simplex::kEdge;  // then is_done_with_edge has asked
+  if (is_edge && !of.motion.body->keeps_corridors()) {
+    const uint32_t(&ends)[2] = of.motion.body->edges[part.index].ends;
+    ++counts.swept;
+    if (((vertices_[ends[0]] | vertices_[ends[1]]) & kStands) == 0) plain_.push_back(part.index);
+    return true;
+  }
+  const SimplexCorners<D> corners(*of.motion.body, part);
   if (!is_edge && !is_new(of, corners)) return true;
   if (!is_edge && dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
   ++counts.swept;
   if (!is_edge && stays_in_cell(of, corners)) {
     ++counts.skipped;
-    return true;
-  }
-  if (is_edge && !of.motion.body->keeps_corridors()) {
-    plain_.push_back(part.index);
     return true;
   }
   const double limit = limit_of(of, corners);

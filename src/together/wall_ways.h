@@ -78,7 +78,7 @@ class WallWays {
   void note_vertex(const Trajectory<D>& of, uint32_t v);
   void note_vertices(const Trajectory<D>& of);
   bool note_new_parts(const Trajectory<D>& of);
-  bool is_done_with_edge(const Trajectory<D>& of, const Simplex& part);
+  bool is_done_with_edge(const Trajectory<D>& of, uint32_t edge);
   static double limit_of(const Trajectory<D>& of, const SimplexCorners<D>& corners);
   static PointWay way_of(const Trajectory<D>& of, uint32_t v);
   bool stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept;
@@ -99,7 +99,7 @@ class WallWays {
   Packet<D> packet_;
   CastCounters* counters_ = nullptr;
   Array<WayTouch<D>> blocked_{env_.memory};  // what paths of vertices touch
-  static constexpr uint32_t kNew = 1, kMoves = 2, kLeaves = 4;
+  static constexpr uint32_t kNew = 1, kMoves = 2, kLeaves = 4, kStands = 8;
   Array<uint8_t> vertices_{env_.memory};   // of one trajectory: these bits
   Array<Simplex> parts_{env_.memory};      // of one trajectory: those at new vertices
   Array<uint32_t> plain_{env_.memory};     // edges of one trajectory that keep no corridors

@@ -174,6 +174,10 @@ void WholeWays<D, Walls>::set_ends(Array<Trajectory<D>>& trajectories, double ti
   time_ = time;
   walls.set_end(time);
   for (Trajectory<D>& of : trajectories) {
+    if (time == 1) {
+      std::copy(of.goals.begin(), of.goals.end(), of.ends.begin());
+      continue;
+    }
     for (uint32_t v = 0; v < of.motion.body->vertices.size(); ++v) {
       if (of.motion.body->has_vertex(v)) place_on_way<D>(of.start(v), of.goal(v), time, of.end(v));
     }
