@@ -66,19 +66,21 @@ const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>
   constexpr uint32_t kBits = 21;
   Vertex& vertex = vertices_[v];
   if (vertex.group != kNone) return vertex;
-  vertex.way.add(of.start(v));
-  vertex.way.add(of.end(v));
+  const double *const from = of.start(v), *const to = of.end(v);
   uint64_t key = 0;
   for (int k = 0; k < D; ++k) {
-    const double at = of.start(v)[k] * cubes + kMostCubes;
+    vertex.way.lower[k] = std::min(from[k], to[k]);
+    vertex.way.upper[k] = std::max(from[k], to[k]);
+    const double at = from[k] * cubes + kMostCubes;
     key = key << kBits | (at > 0 ? static_cast<uint64_t>(std::min(at, 2 * kMostCubes - 1)) : 0);
   }
   vertex.group = keys_.insert(key);
   if (vertex.group == group_boxes_.size()) group_boxes_.emplace_back();
+  group_boxes_[vertex.group].add(vertex.way);
   return vertex;
 }
 
-/** An edge is in the group of its first end. */
+/** An edge is in the group of its first end. Boxes of groups have the ways of their vertices and edges. */
 template <int D>
 void FarEdges<D>::group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges) {
   const double cubes = 1 / size_of_cubes(of, edges);
@@ -87,11 +89,8 @@ void FarEdges<D>::group_edges(const Trajectory<D>& of, const Array<uint32_t>& ed
   vertices_.assign(of.motion.ways.size(), Vertex{});
   for (const uint32_t e : edges) {
     const uint32_t(&ends)[2] = of.motion.body->edges[e].ends;
-    const Vertex& first = find_vertex(of, ends[0], cubes);
-    const Vertex& last = find_vertex(of, ends[1], cubes);
-    Box<D>& box = group_boxes_[first.group];
-    box.add(first.way);
-    box.add(last.way);
+    const Vertex &first = find_vertex(of, ends[0], cubes), &last = find_vertex(of, ends[1], cubes);
+    if (first.group != last.group) group_boxes_[first.group].add(last.way);
   }
 }
 

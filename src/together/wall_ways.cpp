@@ -198,7 +198,7 @@ bool WallWays<D>::visit_parts(const Array<Trajectory<D>>& trajectories, Visit vi
     const Trajectory<D>& of = trajectories[t];
     plain_.clear();
     const auto look_at = [&](const Simplex& part) {
-      return (part.kind == Simplex::kEdge && is_done_with_edge(of, part.index)) || visit_part(of, t, part, visit);
+      return (part.kind == Simplex::kEdge && passes_over(of, part.index)) || visit_part(of, t, part, visit);
     };
     if (note_new_parts(of)) {
       if (!dsw::all_of(parts_.begin(), parts_.end(), look_at)) return false;
@@ -294,29 +294,30 @@ bool WallWays<D>::note_new_parts(const Trajectory<D>& of) {
   return true;
 }
 
-/** Whether a part is an edge that need not be looked at, or that stays in one convex cell, as most do. */
+/** Whether an edge is not visited now: no way at it is new, or it stays in one convex cell, as most do, or it is among the plain
+ * ones that come later. */
 template <int D>
-bool WallWays<D>::is_done_with_edge(const Trajectory<D>& of, uint32_t edge) {
-  const uint32_t(&ends)[2] = of.motion.body->edges[edge].ends;
+bool WallWays<D>::passes_over(const Trajectory<D>& of, uint32_t edge) {
+  const Body<D>& body = *of.motion.body;
+  const uint32_t(&ends)[2] = body.edges[edge].ends;
   const uint32_t noted = vertices_[ends[0]] | vertices_[ends[1]];
   if ((noted & kNew) == 0 || (noted & kMoves) == 0) return true;
   const Cell cell = of.motion.ways[ends[0]].from;
-  if ((noted & kLeaves) != 0 || of.motion.ways[ends[1]].from != cell || !env_.map.convex(cell)) return false;
+  const bool stays = (noted & kLeaves) == 0 && of.motion.ways[ends[1]].from == cell && env_.map.convex(cell);
+  if (!stays && body.keeps_corridors()) return false;
   ++counts.swept;
-  ++counts.skipped;
+  if (stays) {
+    ++counts.skipped;
+  } else if ((noted & kStands) == 0) {
+    plain_.push_back(edge);
+  }
   return true;
 }
 
 template <int D>
 template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
-  const bool is_edge = part.kind == Simplex::kEdge;  // then is_done_with_edge has asked
-  if (is_edge && !of.motion.body->keeps_corridors()) {
-    const uint32_t(&ends)[2] = of.motion.body->edges[part.index].ends;
-    ++counts.swept;
-    if (((vertices_[ends[0]] | vertices_[ends[1]]) & kStands) == 0) plain_.push_back(part.index);
-    return true;
-  }
+  const bool is_edge = part.kind == Simplex::kEdge;  // then passes_over has asked
   const SimplexCorners<D> corners(*of.motion.body, part);
   if (!is_edge && !is_new(of, corners)) return true;
   if (!is_edge && dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;

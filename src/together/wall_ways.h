@@ -78,7 +78,7 @@ class WallWays {
   void note_vertex(const Trajectory<D>& of, uint32_t v);
   void note_vertices(const Trajectory<D>& of);
   bool note_new_parts(const Trajectory<D>& of);
-  bool is_done_with_edge(const Trajectory<D>& of, uint32_t edge);
+  bool passes_over(const Trajectory<D>& of, uint32_t edge);
   static double limit_of(const Trajectory<D>& of, const SimplexCorners<D>& corners);
   static PointWay way_of(const Trajectory<D>& of, uint32_t v);
   bool stays_in_cell(const Trajectory<D>& of, const SimplexCorners<D>& corners) const noexcept;
