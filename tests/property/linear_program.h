@@ -1,8 +1,11 @@
 // A linear program by the simplex method, small and dense: what is largest among points that rows allow.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace dsw::oracle {
@@ -21,19 +24,27 @@ class LinearProgram {
     std::vector<size_t> outside(n), inside(m);  // names of columns and rows
     for (size_t k = 0; k < n; ++k) outside[k] = k;
     for (size_t i = 0; i < m; ++i) inside[i] = n + i;
-    for (size_t pivots = 0; pivots < 100 * (n + m); ++pivots) {
-      // Bland's rule: the first of all, so that it ends.
+    for (size_t pivots = 0;; ++pivots) {
+      if (pivots == 100 * (n + m)) throw std::runtime_error("the simplex method does not end");
+      // The column with the largest cost enters. That may go round in circles, so after some pivots the
+      // first column does, as in Bland's rule.
+      const bool is_first = pivots > 2 * (n + m);
       size_t column = n;
       for (size_t k = 0; k < n; ++k) {
-        if (costs_[k] > 1e-11 && (column == n || outside[k] < outside[column])) column = k;
+        if (costs_[k] <= kLeast) continue;
+        if (column == n || (is_first ? outside[k] < outside[column] : costs_[k] > costs_[column])) column = k;
       }
       if (column == n) break;
+      // Several rows may end the way at the same place. The row with the largest coefficient leaves, since a division by a small
+      // coefficient loses all digits.
       size_t row = m;
       double least = std::numeric_limits<double>::infinity();
       for (size_t i = 0; i < m; ++i) {
-        if (rows_[i][column] <= 1e-11) continue;
-        const double ratio = bounds_[i] / rows_[i][column];
-        if (ratio < least || (ratio == least && inside[i] < inside[row])) least = ratio, row = i;
+        if (rows_[i][column] > kLeast) least = std::min(least, std::max(bounds_[i], 0.0) / rows_[i][column]);
+      }
+      for (size_t i = 0; i < m; ++i) {
+        if (rows_[i][column] <= kLeast || bounds_[i] / rows_[i][column] > least + kSame) continue;
+        if (row == m || rows_[i][column] > rows_[row][column]) row = i;
       }
       if (row == m) break;
       pivot(row, column);
@@ -47,6 +58,8 @@ class LinearProgram {
   }
 
  private:
+  static constexpr double kLeast = 1e-11, kSame = 1e-12;
+
   void pivot(size_t row, size_t column) {
     const double by = 1 / rows_[row][column];
     for (double& each : rows_[row]) each *= by;

@@ -193,16 +193,18 @@ void press(const Ground& ground, double radius, Rng& rng, Pressed& all) {
     const double could = Wires(ground, walkers, radius).largest_motion();
     const TogetherAnswer answer =
         move_together(scene.get(), walkers, DSW_TOGETHER_STOP_FEATURE, 0, DSW_TOGETHER_RESPONSE_SLIDE);
-    double went = 0;
+    double went = 0, whole = 0;
     for (size_t i = 0; i < walkers.size(); ++i) {
       for (size_t v = 0; v < walkers[i].end.size(); ++v) {
         for (size_t k = 0; k < 3; ++k) {
+          whole += std::fabs(walkers[i].end[v][k] - walkers[i].state.at[v][k]);
           went += std::fabs(walkers[i].end[v][k] - walkers[i].state.at[v][k]) -
                   std::fabs(walkers[i].end[v][k] - answer.after[i].at[v][k]);
         }
       }
       walkers[i].state = answer.after[i];
     }
+    EXPECT_LE(could, whole + 1e-6);
     if (step < 4 || could < 1e-3) continue;  // not yet pressed, or in a corner
     ++all.steps;
     all.made += went;
