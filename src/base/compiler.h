@@ -186,7 +186,7 @@ typedef int16_t ShortEight __attribute__((vector_size(16)));
 DSW_HOT PairMask bits_of(DoublePair x) noexcept { return reinterpret_cast<PairMask>(x); }
 DSW_HOT DoublePair pair_of(PairMask bits) noexcept { return reinterpret_cast<DoublePair>(bits); }
 DSW_HOT ShortEight eight_of(int16_t x) noexcept { return x - ShortEight{}; }
-/** The second number first. */
+/** Swaps the lanes. */
 DSW_HOT DoublePair turned(DoublePair x) noexcept { return DoublePair{x[1], x[0]}; }
 #else
 using DoublePair = plain::DoublePair;
@@ -197,11 +197,11 @@ using plain::eight_of;
 using plain::pair_of;
 using plain::turned;
 #endif
-/** Lane by lane the first where the mask is set, else the second. */
+/** In each lane, the first if the mask is set, else the second. */
 DSW_HOT DoublePair chosen(PairMask mask, DoublePair first, DoublePair second) noexcept {
   return pair_of((mask & bits_of(first)) | (~mask & bits_of(second)));
 }
-/** Lane by lane the first if it is less, else the second; the first if it is more, else the second. */
+/** In each lane, the smaller number or the larger one; the second if they are equal or one is NaN. */
 #if DSW_GNU
 DSW_HOT DoublePair smaller(DoublePair a, DoublePair b) noexcept { return a < b ? a : b; }
 DSW_HOT DoublePair larger(DoublePair a, DoublePair b) noexcept { return a > b ? a : b; }
@@ -209,7 +209,7 @@ DSW_HOT DoublePair larger(DoublePair a, DoublePair b) noexcept { return a > b ? 
 DSW_HOT DoublePair smaller(DoublePair a, DoublePair b) noexcept { return chosen(a < b, a, b); }
 DSW_HOT DoublePair larger(DoublePair a, DoublePair b) noexcept { return chosen(a > b, a, b); }
 #endif
-/** Lane by lane without the sign. */
+/** The absolute value of each lane. */
 DSW_HOT DoublePair magnitude_of(DoublePair x) noexcept { return pair_of(bits_of(x) & PairMask{INT64_MAX, INT64_MAX}); }
 /** Bit i tells whether lane i of a mask is set. */
 DSW_HOT uint32_t lanes_of(PairMask mask) noexcept {

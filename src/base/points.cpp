@@ -18,8 +18,8 @@ bool is_finite_point(const double* point, int dimension) noexcept {
   return true;
 }
 
-/** Whether all numbers of some arrays are finite. One pass without branches: x - x is 0 for a finite x and NaN, which is not all zero
- * bits, for any other. */
+/** Whether all numbers of some arrays are finite. One pass without branches: x - x is 0 for a finite x, and NaN for any other. All bits of
+ * 0 are zero, and those of NaN are not. */
 template <size_t Arrays>
 bool all_finite(const double* const (&arrays)[Arrays], size_t count) noexcept {
   PairMask seen[4] = {};

@@ -29,7 +29,7 @@ int side_of_line(const double* p, const double* q, const double* a, const double
   return line_side<3>(p, q, ridge, NoTally{}).sign;
 }
 
-/** Whether body segment p q passes through a triangle, from whose negative side it comes. */
+/** Whether body segment p q passes through a triangle. @pre p is on its negative side. */
 bool passes_through(const double* p, const double* q, const double* const* triangle) noexcept {
   if (side_of_plane(triangle, q) < 0) return false;
   for (int k = 0; k < 3; ++k) {
@@ -163,7 +163,8 @@ bool SweepFlood<3>::facet_met(const Shape& shape, uint32_t facet) {
   return false;
 }
 
-/** Finds what facet_met finds, of a convex polygon in a plane: of its sides two pass the swept plane, or none. See simplex_met. */
+/** Finds what facet_met finds, for a facet that is a flat convex polygon. The swept plane passes two of its sides, or none. See
+ * simplex_met. */
 bool SweepFlood<3>::flat_facet_met(const Shape& shape, uint32_t facet) const {
   const uint16_t* const corners = shape.dart_vertices() + shape.facet_first(facet);
   const uint32_t count = shape.facet_size(facet);
@@ -362,7 +363,7 @@ bool SweepFlood<3>::is_one_fan(const SweepContact& contact) const {
     return passable == 1;
   }
   bool is_one = true;
-  // From the front across the facet of d, and on round the edge; returns whether the way ends before the boundary.
+  // Goes from the front across the facet of d, and on round the edge. Returns false if it comes to the boundary.
   const auto go_round = [&](Dart d) {
     for (bool is_linked = true;;) {
       is_linked = is_linked && !is_impassable(env_, half_facet(map_, d));

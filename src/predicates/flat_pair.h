@@ -28,8 +28,8 @@ inline const Opposite& opposite(PairKind kind) noexcept {
   return kOf[static_cast<int>(kind)];
 }
 
-// Whether a pair whose points lie in one plane touches, in the plane one whose points lie on one line. area(view, i) is the sign of a
-// triangle's area along an axis. difference(axis, i, j) is the sign of the coordinate of point j less that of point i.
+// Whether a pair touches. All its points lie in one plane; if D is 2, on one line. area(view, i) is the sign of the area of kTriangle[i],
+// seen along axis `view`. difference(axis, i, j) is the sign of the coordinate of point j less that of point i.
 template <int D, class Area, class Difference>
 bool flat_pair_touches(PairKind kind, Area area, Difference difference) {
   for (int view = 0; D == 3 && view < 3; ++view) {

@@ -13,7 +13,7 @@ constexpr double kCoefficientError = 512 * kUnitRoundoff;
 constexpr double kRootError = 0x1p-92;
 constexpr double kThird = 1.0 / 3;
 
-// A number at the start and at the end. Two of them take no longer than one, and sum and product come in one order for both.
+// A number at the start and at the end. Both are computed in one instruction, so they take no longer than one of them.
 using Ends = DoublePair;
 
 template <int D>
@@ -90,7 +90,7 @@ class Filter {
     }
   }
 
-  // False if they are out of range.
+  // Finds the bounds of errors from the extents. Returns false if an extent is out of range.
   bool find_bounds() noexcept {
     product_ = 1;
     bool in_range = true;
@@ -102,7 +102,7 @@ class Filter {
     return in_range;
   }
 
-  // Whether the pair, whose volume at the start is 0 in doubles, surely touches there. Pairs that touch from the start on are common.
+  // Whether the pair surely touches at the start. The volume there is 0 in doubles. Pairs that touch from the start on are common.
   DSW_COLD bool touches_at_start() const noexcept {
     if (!is_start_short()) return false;
     const auto sign = [](double x) { return (x > 0) - (x < 0); };
@@ -171,8 +171,9 @@ class Filter {
     c[D] = outer[1];
   }
 
-  // The other coefficients. In space these are means of three determinants, which have one row or two of the other side. The first row is
-  // of the other side beside the minors of the last two, and of this side beside their minors of both sides.
+  // The middle coefficients. In space a lane has three determinants of the rows of its side, start or end, each with one row of the other
+  // side instead. Where the first row is of the other side, it meets minor_. Else it meets mixed_, the sum of the minors with one row of
+  // each side. The coefficient is the mean of the three.
   void find_middle() noexcept {
     double* const c = search_.whole.volume.c;
     Ends middle{};
@@ -191,8 +192,8 @@ class Filter {
     }
   }
 
-  // Narrows a time to that in which the pair may touch. Returns whether there is none. Nearly all pairs that are apart, but not along an
-  // axis, need one round or two.
+  // Narrows the interval of time in which the pair may touch. Returns whether it becomes empty. Nearly all pairs that are apart, but not
+  // along an axis, need one round or two.
   bool is_apart_between(double* low, double* high) const noexcept {
     constexpr int kMostRounds = 3;
     touch_search::Curve<4> part = search_.whole.volume;
@@ -209,7 +210,7 @@ class Filter {
     return false;
   }
 
-  // The coefficients of the volume between two times. Lanes are the two times.
+  // Finds the coefficients of the volume between two times. Each lane evaluates at one of them.
   void find_part(double low, double high, double* part) const noexcept {
     const double* const c = search_.whole.volume.c;
     const DoublePair t{low, high}, rest = DoublePair{1, 1} - t;
@@ -225,11 +226,12 @@ class Filter {
     part[3] = ends[1];
   }
 
-  // Narrows a time to that in which the volume may be 0: the hull of its coefficients between from and from + length, each in its place,
-  // meets the axis there. The edges of this hull are some of the lines between a positive coefficient and a negative one. A line from
-  // coefficient i to coefficient j meets the axis at (i + (j - i) x) / 3 of the length, with x = c_i / (c_i - c_j). Coefficients are known
-  // to 2^-20 of their size here, and x adds sizes: it errs by less than 2^-18. With the digits below 2^-20, which are left out, a time errs
-  // by less than 2^-17. Returns false if a coefficient is too small.
+  // Narrows the interval of time in which the volume may be 0, by Bezier clipping. The control points of the volume between `from` and
+  // from + length are (i / 3, c_i), and their convex hull contains its graph. Where the hull meets the axis, its edges join a positive
+  // coefficient with a negative one. The line from c_i to c_j meets the axis at (i + (j - i) x) / 3 of the length, with
+  // x = c_i / (c_i - c_j). Here each coefficient errs by at most 2^-20 of its size. The signs of c_i and c_j differ, so c_i - c_j does not
+  // cancel, and x errs by less than 2^-18. Times are rounded to multiples of 2^-20. Together a time errs by less than 2^-17. Returns false
+  // if a coefficient is too small for these bounds.
   bool narrow(const double* c, double from, double length, double* low, double* high) const noexcept {
     const DoublePair first{c[0], c[1]}, second{c[1], c[2]}, third{c[2], c[3]};
     const double least = 0x1p20 * search_.volume_error;
@@ -246,7 +248,7 @@ class Filter {
     add(first, third, DoublePair{0, kThird}, DoublePair{2 * kThird, 2 * kThird});
     add(DoublePair{c[0], c[2]}, DoublePair{c[3], c[3]}, DoublePair{0, 2 * kThird}, DoublePair{1, kThird});
     const double after = begin[0] < begin[1] ? begin[0] : begin[1], before = end[0] > end[1] ? end[0] : end[1];
-    constexpr double kRoom = 0x1p-17, kDigits = 0x1p32;  // the last digit of doubles that are a little larger is 2^-20
+    constexpr double kRoom = 0x1p-17, kDigits = 0x1p32;  // doubles a little above 2^32 are multiples of 2^-20
     const double least_time = (from + length * after - kRoom + kDigits) - kDigits,
                  most_time = (from + length * before + kRoom + kDigits) - kDigits;
     *low = least_time > *low ? least_time : *low;
@@ -254,7 +256,7 @@ class Filter {
     return true;
   }
 
-  // Whether the areas part the pair at all times between two at which its points may lie in one plane.
+  // Whether the areas part the pair at all times between two, if its points lie in one plane then.
   bool is_flat_apart(double low, double high) const noexcept {
     const DoublePair error{search_.condition_error, search_.condition_error}, minus = DoublePair{} - error;
     const DoublePair a{low, low}, b{high, high}, one{1, 1}, rest_a = one - a, rest_b = one - b;
@@ -274,7 +276,7 @@ class Filter {
            ((below & 8) != 0 && ((above & 5) | (below & 2)) != 0);
   }
 
-  // The areas, seen along the axis along which one of them is largest beside its error half way.
+  // Finds the areas, seen along one axis: that along which area 2, half way, is largest beside its error.
   void find_areas() noexcept {
     double size[3];
     for (int k = 0; k < 3; ++k) size[k] = std::fabs(minor_[k][0] + minor_[k][1] + mixed_[k][0]) * extent_[k];

@@ -50,7 +50,7 @@ struct Curve {
     return second;
   }
 
-  // What is between two times, which have digits that end at 2^-20: so 1 less a time is exact.
+  // Returns the part between two times. Both are multiples of 2^-20, so 1 - time is exact.
   DSW_NOINLINE Curve part(double low, double high) const noexcept {
     Curve part;
     for (int i = 0; i < N; ++i) {
@@ -121,8 +121,8 @@ class Search {
     return first_touch_in(0, end_, 0, volume_at, time);
   }
 
-  // What first_touch does, between two times whose digits end at 2^-20. The conditions are known, too. To leave out what is before and
-  // after may count as some halvings, for the sake of what it adds to the errors.
+  // Does what first_touch does, between two times that are multiples of 2^-20. The conditions are known, too. `halvings`: as many as add
+  // to the errors what taking this part adds.
   template <class VolumeAt>
   DSW_NOINLINE Filtered first_touch_in(double low, double high, int halvings, VolumeAt volume_at,
                                        double* time) noexcept {

@@ -65,7 +65,7 @@ void find_touches(const Pairs& pairs, size_t begin, size_t end, dsw_pair_touch* 
   }
 }
 
-/** The order of first times in a batch: the sign of a's minus b's. Both touch. */
+/** Compares the first times of two pairs of a batch that touch: `compare` returns the sign of a's minus b's. */
 struct Order {
   const void* pairs;
   const dsw_pair_touch* touches;
@@ -80,7 +80,7 @@ int compare_touches(const Order& order, const Ranked& a, const Ranked& b) {
   return compare_first_touches(pairs[a.pair], of_a, pairs[b.pair], of_b);
 }
 
-/** One function for all kinds of pairs: a sort is 5 KB of code. */
+/** Ranks the pairs that touch. It is one function for all kinds of pairs, since a sort is 5 KB of code. */
 void find_ranks(const Order& order, Array<Ranked>& ranked, size_t count, dsw_pair_touch* touches) {
   const auto is_apart = [&](const Ranked& each) { return touches[each.pair].touches == 0; };
   ranked.erase(std::remove_if(ranked.begin(), ranked.end(), is_apart), ranked.end());

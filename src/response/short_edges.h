@@ -8,9 +8,9 @@
 
 namespace dsw {
 
-/** A function of this type writes the words of so many vertices, twice, and the numbers of those that are in doubt. Returns how many
- * of these there are.
- * @param now where the words are written again; may be `words`.
+/** A function of this type writes the words of `count` vertices, and the numbers of the vertices that are in doubt. Returns how many are in
+ * doubt.
+ * @param now gets the same words; may be `words`.
  * @param has_others whether a vertex stays in a cell that is not convex. */
 using WriteTurnWords = uint32_t (*)(const Map<3>& map, const VertexWay* ways, const Course<3>::Vertex* turns,
                                     uint32_t count, uint32_t* words, uint32_t* now, uint32_t* in_doubt,
@@ -70,8 +70,8 @@ class ShortEdges {
   static_assert(kMostPairs <= kPacket, "they are looked at together");
   static constexpr uint32_t kFirst = 1, kSecond = 2;  // turns
 
-  /** An edge, what is asked of the end that goes first and the cell of the other end, and the turns at which this is there. A byte may
-   * alias everything, so that compilers would read all else again after it is written. */
+  /** An edge, the question about the end that goes first and the cell of the other end, and the turns at which the other end is there.
+   * `place` and `turns` are no bytes: a byte may alias everything, so compilers would read all else again after it is written. */
   struct Pair {
     uint32_t question;
     uint16_t place, turns;

@@ -25,7 +25,7 @@ struct EdgeBits {
 };
 
 /** Reads the words of both ends of at most 64 edges. @param names the numbers of edges, none of which is a free slot; null: all from the
- * first on. @param may_be_free whether some of these may be free slots. @param words by vertex. */
+ * first on. @param may_be_free whether some of the edges may be free slots. @param words by vertex. */
 using ReadTurnWords = EdgeBits (*)(const BodyEdge* edges, const uint32_t* names, uint32_t count, bool may_be_free,
                                    const uint32_t* words);
 

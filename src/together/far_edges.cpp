@@ -44,7 +44,7 @@ const CellTree<D>* FarEdges<D>::find_tree(size_t edges) const {
   return nullptr;
 }
 
-/** The side of a cube of the lattice: some sides of boxes of edges, on the average of a few of these. */
+/** The side of a cube of the lattice: a few times the mean side of the boxes of some edges. */
 template <int D>
 double FarEdges<D>::size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>& edges) {
   constexpr double kSizes = 4;
@@ -59,7 +59,7 @@ double FarEdges<D>::size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>
   return kSizes * sum / static_cast<double>(count);
 }
 
-/** Finds the way of a vertex, and its group: vertices that start in the same cube of a lattice. */
+/** Finds the box of a vertex's way, and its group. Vertices that start in the same cube of the lattice make a group. */
 template <int D>
 const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>& of, uint32_t v, double cubes) {
   constexpr double kMostCubes = 1 << 20;  // to either side of the origin; those farther out share the last ones
@@ -80,7 +80,7 @@ const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>
   return vertex;
 }
 
-/** An edge is in the group of its first end. Boxes of groups have the ways of their vertices and edges. */
+/** Groups edges by their first ends. The box of a group contains the ways of its edges. */
 template <int D>
 void FarEdges<D>::group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges) {
   const double cubes = 1 / size_of_cubes(of, edges);

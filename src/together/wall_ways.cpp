@@ -294,8 +294,8 @@ bool WallWays<D>::note_new_parts(const Trajectory<D>& of) {
   return true;
 }
 
-/** Whether an edge is not visited now: no way at it is new, or it stays in one convex cell, as most do, or it is among the plain
- * ones that come later. */
+/** Whether an edge is not visited now. Three kinds are not: edges that do not move or have no new way, edges that stay in one convex
+ * cell, as most do, and edges without corridors. The last kind comes later, in visit_plain_edges. */
 template <int D>
 bool WallWays<D>::passes_over(const Trajectory<D>& of, uint32_t edge) {
   const Body<D>& body = *of.motion.body;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr uint32_t kNoRidge = 4;  // two facets share none
 
-/** For the ways of a pair that are asked about, a bit each: whether it leaves the cell by facet f, and not by g. Or kNoRidge. */
+/** Tells which of the asked ways of a pair leave the cell by facet f, a bit each; the others leave by g. kNoRidge: f and g share none. */
 uint32_t leaves_by_first(const Environment<3>& env, const TwoWays& pair, uint32_t f, uint32_t g) noexcept {
   const double* ridge[2];
   if (!shared_ridge(env, env.map.record(pair.cell), f, g, ridge)) return kNoRidge;

@@ -73,8 +73,9 @@ struct TwoWays {
   uint32_t leads;   // those that are seen to come into `last` through open neighbours alone
 };
 
-/** Follows at most kPacket pairs of ways side by side: finds out which lead. Gives up if facets are three, or two that share no ridge.
- * Where the ways of a pair part, at most one is followed further. Looks at no more than kMostFurtherLooks cells behind the first. */
+/** Follows at most kPacket pairs of ways side by side, and sets `leads` of each. A pair is given up where its end lies outside of three
+ * facets, or of two that share no ridge. Where the ways of a pair part, at most one is followed further. Looks at no more than
+ * kMostFurtherLooks cells behind the first. */
 void follow_ways(const Environment<3>& env, TwoWays* pairs, uint32_t count) noexcept;
 
 }  // namespace dsw
