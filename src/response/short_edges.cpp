@@ -171,8 +171,8 @@ void ShortEdges<D>::add_turns(const uint32_t* edges, uint32_t place, Seen& seen)
   }
 }
 
-/** Adds an edge whose end v goes first. Where v does not move, nothing is told of the edge. Its question is new if the cell is not
- * one of the last two that were asked about for v. */
+/** Adds an edge whose end v goes first. Where v does not move, its target is not read, and what is found is not used. The
+ * edge's question is new if the cell is not one of the last two that were asked about for v. */
 template <int D>
 DSW_HOT void ShortEdges<D>::add(uint32_t v, uint32_t cell, uint32_t place, uint32_t turns) {
   Asked(&asked)[2] = asked_[v].of;
@@ -183,7 +183,7 @@ DSW_HOT void ShortEdges<D>::add(uint32_t v, uint32_t cell, uint32_t place, uint3
       asked[0] = {cell, answered_ + i};
       cells_[i] = {cell};
       arrivals_[i] = course_.motion.ways[v].arrival;
-      points_[i] = course_.motion.targets[v];
+      points_[i] = course_.place(v, kNone);
     }
   }
   pairs_[pair_count_++] = {asked[0].question, static_cast<uint16_t>(place), static_cast<uint16_t>(turns)};
@@ -228,7 +228,7 @@ TwoWays ShortEdges<D>::ways_of(const Pair& pair, const Answer& at, const BodyEdg
   const auto [v, w] = ends_of(edge);
   const MovingBody<D>& motion = course_.motion;
   return {{motion.body->position(w), course_.place(w, kNone)},
-          motion.targets[v],
+          course_.place(v, kNone),
           at.cell,
           motion.ways[v].arrival,
           at.facets,
