@@ -61,7 +61,8 @@ double FarEdges<D>::size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>
 
 /** Finds the box of a vertex's way, and its group. Vertices that start in the same cube of the lattice make a group. */
 template <int D>
-const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>& of, uint32_t v, double cubes) {
+const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>& of, uint32_t v, const double* origin,
+                                                             double cubes) {
   constexpr double kMostCubes = 1 << 20;  // to either side of the origin; those farther out share the last ones
   constexpr uint32_t kBits = 21;
   Vertex& vertex = vertices_[v];
@@ -71,7 +72,7 @@ const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>
   for (int k = 0; k < D; ++k) {
     vertex.way.lower[k] = std::min(from[k], to[k]);
     vertex.way.upper[k] = std::max(from[k], to[k]);
-    const double at = from[k] * cubes + kMostCubes;
+    const double at = (from[k] - origin[k]) * cubes + kMostCubes;
     key = key << kBits | (at > 0 ? static_cast<uint64_t>(std::min(at, 2 * kMostCubes - 1)) : 0);
   }
   vertex.group = keys_.insert(key);
@@ -83,13 +84,14 @@ const typename FarEdges<D>::Vertex& FarEdges<D>::find_vertex(const Trajectory<D>
 /** Groups edges by their first ends. The box of a group contains the ways of its edges. */
 template <int D>
 void FarEdges<D>::group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges) {
+  const double* const origin = of.start(of.motion.body->edges[edges[0]].ends[0]);
   const double cubes = 1 / size_of_cubes(of, edges);
   keys_.clear();
   group_boxes_.clear();
   vertices_.assign(of.motion.ways.size(), Vertex{});
   for (const uint32_t e : edges) {
     const uint32_t(&ends)[2] = of.motion.body->edges[e].ends;
-    const Vertex &first = find_vertex(of, ends[0], cubes), &last = find_vertex(of, ends[1], cubes);
+    const Vertex &first = find_vertex(of, ends[0], origin, cubes), &last = find_vertex(of, ends[1], origin, cubes);
     if (first.group != last.group) group_boxes_[first.group].add(last.way);
   }
 }

@@ -25,7 +25,7 @@ class FarEdges {
     uint32_t group = kNone;  // kNone: not looked at yet
   };
   static double size_of_cubes(const Trajectory<D>& of, const Array<uint32_t>& edges);
-  const Vertex& find_vertex(const Trajectory<D>& of, uint32_t v, double cubes);
+  const Vertex& find_vertex(const Trajectory<D>& of, uint32_t v, const double* origin, double cubes);
   void group_edges(const Trajectory<D>& of, const Array<uint32_t>& edges);
 
   const Environment<D>& env_;
