@@ -116,7 +116,7 @@ class ShortEdges {
   Array<LastAsked> asked_{env_.memory};    // by vertex
   Array<Answer> answers_{env_.memory};     // by question
   // What is asked of the edges that are looked at.
-  uint32_t pair_count_ = 0, question_count_ = 0, answered_ = 0;
+  uint32_t pair_count_ = 0, question_count_ = 0, answered_ = 0;  // the last is answers_.size(), which takes longer
   Pair pairs_[kMostPairs];
   TwoWays ways_[kMostPairs];
   // Each question that is not answered yet has one of these.

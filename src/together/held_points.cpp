@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "environment/validity.h"
@@ -60,7 +61,7 @@ void HeldPoints<D>::add_all(const CellQueue& cells) {
 template <int D>
 bool HeldPoints<D>::moves(uint32_t vertex) const noexcept {
   const double* const from = way_->start(vertex);
-  return !std::equal(from, from + D, way_->next(vertex));
+  return !is_same_place<D>(from, way_->next(vertex));
 }
 
 template <int D>
@@ -120,7 +121,7 @@ template <int D>
 void HeldPoints<D>::add_held(Array<dsw_vertex_id>& held) const {
   for (const uint32_t number : order_) {
     const Point& each = points_[number];
-    if (each.part < 1 && !std::equal(each.target, each.target + D, way_->next(each.vertex))) {
+    if (each.part < 1 && !is_same_place<D>(each.target, way_->next(each.vertex))) {
       held.push_back({each.vertex, env_.map.vertex_generation(each.vertex)});
     }
   }

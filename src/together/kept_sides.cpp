@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/dimensions.h"
+#include "base/position.h"
 #include "predicates/filtered.h"
 #include "predicates/sweep_events.h"
 
@@ -28,7 +29,7 @@ template <int D>
 int side_kept(const MovingPair<D>& pair, uint32_t part_count, bool part_first) noexcept {
   const uint32_t part_at = part_first ? 0 : D + 1 - part_count, feature_at = part_first ? part_count : 0;
   uint32_t moving = 0;
-  for (int i = 0; i <= D; ++i) moving |= std::equal(pair.start[i], pair.start[i] + D, pair.end[i]) ? 0u : 1u << i;
+  for (int i = 0; i <= D; ++i) moving |= is_same_place<D>(pair.start[i], pair.end[i]) ? 0u : 1u << i;
   int side = 0;
   // All subsets of the points that move.
   for (uint32_t at_end = moving;; at_end = (at_end - 1) & moving) {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/dimensions.h"
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "contact/describe.h"
@@ -49,7 +50,7 @@ bool leave_out_way_of(uint32_t point, MovingPair<D>& pair, double (&ends)[D + 1]
 template <int D>
 bool any_moves(const MovingPair<D>& pair) {
   for (int i = 0; i <= D; ++i) {
-    if (!std::equal(pair.end[i], pair.end[i] + D, pair.start[i])) return true;
+    if (!is_same_place<D>(pair.end[i], pair.start[i])) return true;
   }
   return false;
 }
@@ -372,7 +373,7 @@ bool MovingWalls<D>::set_pair(const Trajectory<D>& of, const Near& near, const F
   for (uint32_t i = 0; i < feature.name.count; ++i) {
     const double* const start = touch.pair.start[first_wall + i] = env_.point(feature.name.vertices[i]);
     const double* const end = touch.pair.end[first_wall + i] = &ends_[feature.first_end + size_t{D} * i];
-    moves = moves || !std::equal(start, start + D, end);
+    moves = moves || !is_same_place<D>(start, end);
   }
   return moves;
 }

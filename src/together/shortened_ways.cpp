@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "predicates/filtered.h"
@@ -265,7 +266,7 @@ void ShortenedWays<D, Walls>::set_goals(Array<Trajectory<D>>& trajectories) {
  * way lies along it: rows lead aside, also within the box of the way. True where the numbers are too large or too small. */
 template <int D>
 bool is_beside(const double* from, const double* to, const double* place) noexcept {
-  if (std::equal(place, place + D, to) || std::equal(place, place + D, from)) return false;
+  if (is_same_place<D>(place, to) || is_same_place<D>(place, from)) return false;
   double along = 0, length = 0;
   for (int k = 0; k < D; ++k) {
     along += (place[k] - from[k]) * (to[k] - from[k]);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "proximity/thick_sweep.h"
 
@@ -156,7 +157,7 @@ bool ThickWays<D>::set_ways(const Array<Trajectory<D>>& trajectories, const Pair
     ways.start[side][at] = start;
     ways.end[side][at] = end;
     ways.corner[side][at] = corner;
-    moves = moves || !std::equal(start, start + D, end);
+    moves = moves || !is_same_place<D>(start, end);
   };
   const Trajectory<D>& of = trajectories[pair.trajectory];
   ways.bends[0] = of.bend;

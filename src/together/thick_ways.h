@@ -1,6 +1,7 @@
 #pragma once
 // Distances that thick bodies keep while all vertices move at once.
 
+#include "base/position.h"
 #include "proximity/joined.h"
 #include "proximity/obstacles_near.h"
 #include "together/hull_ways.h"
@@ -32,7 +33,7 @@ double step_back(const TooNearOnWay<D>& near) noexcept {
   for (uint32_t side = 0; side < 2; ++side) {
     for (uint32_t i = 0; i < near.ways.count[side]; ++i) {
       const double *const from = near.ways.start[side][i], *const to = near.ways.end[side][i];
-      if (!std::equal(from, from + D, to)) step = std::min(step, first_step<D>(from, to, near.time));
+      if (!is_same_place<D>(from, to)) step = std::min(step, first_step<D>(from, to, near.time));
     }
   }
   return step;

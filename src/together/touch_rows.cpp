@@ -15,6 +15,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "together/touch_moment.h"
@@ -39,8 +40,7 @@ void sort_points(const MovingPair<D>& pair, uint32_t* order, uint32_t first, uin
 
 template <int D>
 bool same_way(const MovingPair<D>& pair, uint32_t a, uint32_t b) {
-  return std::equal(pair.start[a], pair.start[a] + D, pair.start[b]) &&
-         std::equal(pair.end[a], pair.end[a] + D, pair.end[b]);
+  return is_same_place<D>(pair.start[a], pair.start[b]) && is_same_place<D>(pair.end[a], pair.end[b]);
 }
 
 template <int D>
@@ -370,8 +370,7 @@ void TouchRows<D>::share_weights(const double* const* starts, const double* cons
   for (uint32_t i = first; i < end; ++i) {
     uint32_t same = i + 1;
     double sum = points[i].weight;
-    while (same < end && std::equal(starts[i], starts[i] + D, starts[same]) &&
-           std::equal(ends[i], ends[i] + D, ends[same]))
+    while (same < end && is_same_place<D>(starts[i], starts[same]) && is_same_place<D>(ends[i], ends[same]))
       sum += points[same++].weight;
     const double each = sum / (same - i);
     for (; i + 1 < same; ++i) points[i].weight = each;
@@ -485,7 +484,7 @@ void TouchRows<D>::solve(Array<Trajectory<D>>& trajectories) {
     const double* const start = of.start(v);
     for (int k = 0; k < D; ++k)
       goal[k] = std::isfinite(goal[k]) ? std::clamp(goal[k], start[k] - far_, start[k] + far_) : start[k];
-    if (std::equal(goal, goal + D, of.end(v))) return;
+    if (is_same_place<D>(goal, of.end(v))) return;
     of.is_new[v] = 1;
     std::copy_n(goal, D, of.end(v));
   });

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "body/simplices.h"
@@ -145,7 +146,7 @@ double step_back(const WayTouch<D>& touch) noexcept {
   double step = 1;
   for (int i = 0; i <= D; ++i) {
     const double *const from = touch.pair.start[i], *const to = touch.pair.end[i];
-    if (!std::equal(from, from + D, to)) step = std::min(step, first_step<D>(from, to, touch.first.time));
+    if (!is_same_place<D>(from, to)) step = std::min(step, first_step<D>(from, to, touch.first.time));
   }
   return step;
 }
@@ -172,7 +173,7 @@ Box<D> box_of_rooms(const Trajectory<D>& of, const Simplex& part) noexcept {
 /** Orders ways by where they begin, then by where they end: so nothing depends on numbers. */
 template <int D>
 bool is_before(const double* start, const double* end, const double* other_start, const double* other_end) noexcept {
-  const bool same = std::equal(start, start + D, other_start);
+  const bool same = is_same_place<D>(start, other_start);
   return same ? std::lexicographical_compare(end, end + D, other_end, other_end + D)
               : std::lexicographical_compare(start, start + D, other_start, other_start + D);
 }

@@ -319,8 +319,8 @@ template <class Visit>
 bool WallWays<D>::visit_part(const Trajectory<D>& of, uint32_t number, const Simplex& part, Visit visit) {
   const bool is_edge = part.kind == Simplex::kEdge;  // then passes_over has asked
   const SimplexCorners<D> corners(*of.motion.body, part);
-  if (!is_edge && !is_new(of, corners)) return true;
-  if (!is_edge && dsw::none_of(corners.begin(), corners.end(), [&](uint32_t v) { return of.moves(v); })) return true;
+  const auto moves = [&](uint32_t v) { return of.moves(v); };
+  if (!is_edge && !(is_new(of, corners) && dsw::any_of(corners.begin(), corners.end(), moves))) return true;
   ++counts.swept;
   if (!is_edge && stays_in_cell(of, corners)) {
     ++counts.skipped;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "base/vec.h"
@@ -205,7 +206,7 @@ void WholeWays<D, Walls>::finish(Array<Trajectory<D>>& trajectories) {
         of.record->ways_left[D * v + k] = of.motion.targets[v][k] - body.position(v)[k];
       }
       ++of.record->moved;
-      of.record->stopped += std::equal(of.start(v), of.start(v) + D, of.motion.targets[v]) ? 0 : 1;
+      of.record->stopped += is_same_place<D>(of.start(v), of.motion.targets[v]) ? 0 : 1;
     }
     for (dsw_body_contact& contact : of.record->contacts) {
       const uint32_t v = contact.vertex.index;

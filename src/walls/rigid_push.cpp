@@ -3,6 +3,7 @@
 #include "base/dimensions.h"
 #include "base/eigen.h"
 #include "base/points.h"
+#include "base/position.h"
 #include "response/touched_planes.h"
 
 namespace dsw {
@@ -136,7 +137,7 @@ bool RigidPush<D>::go(uint32_t owner, StarSweep<D>& sweeps) {
   Body<D>& body = *all_.bodies[owner].body;
   for (uint32_t v = 0; v < body.vertices.size(); ++v) {
     const double* const to = &targets_[D * size_t{v}];
-    if (!body.has_vertex(v) || std::equal(to, to + D, body.position(v))) continue;
+    if (!body.has_vertex(v) || is_same_place<D>(to, body.position(v))) continue;
     Cell cell;
     if (!sweeps.is_free(body, v, to, &cell)) return false;
     put_vertex(body, v, to, cell);

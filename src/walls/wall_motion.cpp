@@ -1,5 +1,6 @@
 #include "walls/wall_motion.h"
 
+#include "base/position.h"
 #include "contact/names.h"
 
 namespace dsw {
@@ -84,7 +85,7 @@ void WallMotion<D>::finish(WallRecord& record) {
   for (const uint32_t v : points.touched()) {
     double to[D];
     points.at(v, way, to);
-    if (!std::equal(to, to + D, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
+    if (!is_same_place<D>(to, env_.point(v))) record.held.push_back({v, env_.map.vertex_generation(v)});
   }
   record.outcome = is_limited_           ? DSW_DEFORM_LIMITED
                    : way != 1            ? DSW_DEFORM_FRACTION

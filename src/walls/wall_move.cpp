@@ -1,5 +1,6 @@
 #include "walls/wall_move.h"
 
+#include "base/position.h"
 #include "base/search.h"
 #include "base/sort.h"
 #include "base/vec.h"
@@ -34,7 +35,7 @@ class WallMove<D>::Try {
   ~Try() {
     if (is_kept_) return;
     of_.relocated_.take_back();
-    if (!std::equal(from, from + D, of_.env_.point(v_))) of_.put(v_, from);
+    if (!is_same_place<D>(from, of_.env_.point(v_))) of_.put(v_, from);
     of_.pushed_.take_back();
     record_.pushed = pushed_;
     for (size_t i = contacts_; i < record_.contacts.size(); ++i) record_.contacts[i].response = DSW_WALL_HOLD;
@@ -58,7 +59,7 @@ class WallMove<D>::Try {
 template <int D>
 typename WallMove<D>::Moved WallMove<D>::move(uint32_t v, const double* to, const WallSettings& settings,
                                               WallRecord& record) {
-  if (std::equal(to, to + D, env_.point(v))) return Moved::kYes;
+  if (is_same_place<D>(to, env_.point(v))) return Moved::kYes;
   Try attempt(*this, v, record);
   const double* const from = attempt.from;
   look_round(v);

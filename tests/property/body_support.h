@@ -80,7 +80,6 @@ inline std::string bits_of(const BodyState& s) {
 }
 
 inline BodyPlan segment(const Vec& a, const Vec& b) { return {{a, b}, {{0, 1}}, {}}; }
-/// The surface of a tetrahedron, turned outwards.
 /// A closed surface of 4 * rings + 2 vertices.
 inline BodyPlan ball(const Vec& centre, double radius, uint32_t rings) {
   BodyPlan plan;
@@ -105,6 +104,7 @@ inline BodyPlan ball(const Vec& centre, double radius, uint32_t rings) {
   return plan;
 }
 
+/// The surface of a tetrahedron, turned outwards.
 inline BodyPlan tetrahedron(const Vec& at, double size) {
   const auto corner = [&](double x, double y, double z) {
     return Vec{at[0] + size * x, at[1] + size * y, at[2] + size * z};
