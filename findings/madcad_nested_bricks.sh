@@ -19,7 +19,7 @@ from madcad import brick, difference, intersection, union, vec3
 
 
 def both(side, x):
-    """Of difference, union and intersection of the brick of side 3 and one at x: the volume, or the area if the mesh is open."""
+    """Volumes of difference, union and intersection of the brick of side 3 and one at x, or areas where the mesh is open."""
     large, small = brick(center=vec3(0), width=vec3(3)), brick(center=vec3(x, 0, 0), width=vec3(side))
     made = [way(large, small) for way in (difference, union, intersection)]
     return [round(mesh.volume(), 2) if mesh.isenvelope() else f"open, area {mesh.surface():.2f}" for mesh in made]
