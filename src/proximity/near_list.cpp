@@ -47,6 +47,8 @@ void NearList<D>::clear() noexcept {
   triangles_.clear();
   around_.clear();
   spheres_.clear();
+  known_.clear();
+  known_at_.clear();
 }
 
 template <int D>

@@ -17,6 +17,14 @@ struct NearFeature {
   bool is_counted = false;      // has_fans is not a guess
 };
 
+/** The obstacles at a feature, and what is known of the cells there. Found when a row names its wall for the first time, and
+ * right for as long as the list. */
+struct ObstaclesAtFeature {
+  uint32_t begin = 0, count = 0;  // among NearList::obstacles_at; 0: not found yet, as each feature has an obstacle
+  bool is_one_wall = false;       // all are sides of one wall
+  Cell from, to;                  // one fan has both (PassableFan); invalid: nothing is known
+};
+
 /** Whether an obstacle has all corners of a feature. */
 inline bool has_all(const WallFeature& obstacle, const NearFeature& f) noexcept {
   uint32_t shared = 0;
@@ -39,7 +47,9 @@ class NearList {
         edges_(memory),
         triangles_(memory),
         around_(memory),
-        spheres_(memory) {}
+        spheres_(memory),
+        known_(memory),
+        known_at_(memory) {}
 
   bool empty() const noexcept { return obstacles_.empty(); }
   void clear() noexcept;
@@ -72,10 +82,18 @@ class NearList {
       if (has_all(obstacles_[at_[i]], f)) visit(at_[i]);
     }
   }
+  /** A note of the obstacles at a feature. It may be changed as long as the list is right, and is valid until the list is
+   * cleared. Throws std::bad_alloc. */
+  ObstaclesAtFeature& known_of(uint32_t feature) const {
+    if (known_.size() != features_.size()) known_.resize(features_.size());
+    return known_[feature];
+  }
+  /** Numbers of the obstacles that the notes have. */
+  Array<uint32_t>& obstacles_at() const noexcept { return known_at_; }
   uint64_t memory_bytes() const {
     return array_bytes(obstacles_) + array_bytes(vertices_) + array_bytes(first_at_) + array_bytes(at_) +
            array_bytes(points_) + array_bytes(features_) + array_bytes(edges_) + array_bytes(triangles_) +
-           array_bytes(around_) + array_bytes(spheres_);
+           array_bytes(around_) + array_bytes(spheres_) + array_bytes(known_) + array_bytes(known_at_);
   }
 
  private:
@@ -91,6 +109,8 @@ class NearList {
   Array<NearFeature> edges_, triangles_;  // until the list is finished
   Array<uint32_t> around_;
   Array<Sphere<D>> spheres_;
+  mutable Array<ObstaclesAtFeature> known_;  // of each feature, or empty
+  mutable Array<uint32_t> known_at_;
 };
 
 }  // namespace dsw

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "base/search.h"
-#include "base/short_array.h"
 #include "predicates/filtered.h"
 #include "predicates/near_signs.h"
 #include "predicates/plane_hit.h"
@@ -160,6 +159,21 @@ bool PairSearch<D>::has_fans(uint32_t feature) const {
 }
 
 template <int D>
+ObstaclesAtFeature& PairSearch<D>::obstacles_at(uint32_t feature) const {
+  ObstaclesAtFeature& known = list_.known_of(feature);
+  if (known.count != 0) return known;
+  Array<uint32_t>& all = list_.obstacles_at();
+  const size_t begin = all.size();
+  list_.for_each_obstacle(list_.features()[feature], [&](uint32_t i) { all.push_back(i); });
+  known.begin = static_cast<uint32_t>(begin);
+  known.is_one_wall = dsw::all_of(all.data() + begin, all.data() + all.size(), [&](uint32_t i) {
+    return is_same_wall<D>(list_.obstacles()[all[begin]], list_.obstacles()[i]);
+  });
+  known.count = static_cast<uint32_t>(all.size() - begin);
+  return known;
+}
+
+template <int D>
 bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
   const Map<D>& map = env_.map;
   const NearFeature& f = pair.feature;
@@ -180,12 +194,11 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     }
     return most;
   };
-  ShortArray<uint32_t, 16> at(env_.memory);  // the obstacles at the feature
-  list_.for_each_obstacle(f, [&](uint32_t i) { at.push_back(i); });
+  ObstaclesAtFeature& known = obstacles_at(pair.feature_number);
+  const uint32_t* const at = list_.obstacles_at().data() + known.begin;
+  const uint32_t* const at_end = at + known.count;
   // If all of them are sides of one wall, they make the same angle.
-  const bool is_one = dsw::all_of(at.begin(), at.end(), [&](uint32_t i) {
-    return is_same_wall<D>(list_.obstacles()[at[0]], list_.obstacles()[i]);
-  });
+  const bool is_one = known.is_one_wall;
   if (!is_one) {
     way = unit(to_vec<3>(pair.point) - to_vec<3>(pair.obstacle_point));
     if (f.count == 2) along = unit(to_vec<D>(list_.point(f.corners[1])) - to_vec<D>(list_.point(f.corners[0])));
@@ -213,12 +226,16 @@ bool PairSearch<D>::find_wall(PassableFan<D>& fan, NearPair<D>& pair) const {
     pair.is_wall_seen = is_seen;
   };
   // What is nearest in angle is nearly always in the fan. So the fan is asked once, and not for each obstacle.
-  for (const uint32_t i : at) offer(i);
-  if (!fan.reaches(cell_at(list_.obstacles()[found]))) {
+  for (const uint32_t* i = at; i != at_end; ++i) offer(*i);
+  const Cell cell = cell_at(list_.obstacles()[found]);
+  if ((known.from == fan.first() && known.to == cell) || fan.reaches(cell)) {
+    known.from = fan.first();
+    known.to = cell;
+  } else {
     found = kNone;
     pair.wall = {};
-    for (const uint32_t i : at) {
-      if (fan.reaches(cell_at(list_.obstacles()[i]))) offer(i);
+    for (const uint32_t* i = at; i != at_end; ++i) {
+      if (fan.reaches(cell_at(list_.obstacles()[*i]))) offer(*i);
     }
     if (found == kNone) return false;
   }

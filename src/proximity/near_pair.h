@@ -14,6 +14,7 @@ struct NearPair {
   uint32_t vertices[3] = {kNone, kNone, kNone};           // of the part
   uint32_t obstacle_vertices[3] = {kNone, kNone, kNone};  // of the obstacle, ascending
   NearFeature feature{};                                  // the obstacle in its list
+  uint32_t feature_number = 0;                            // in the list
   double weights[3] = {}, obstacle_weights[3] = {};
   double point[3] = {};  // of the part
   double obstacle_point[3] = {};
@@ -45,6 +46,7 @@ class PairSearch {
       if (is_far(part, f) || !accept(f)) continue;
       if (!are_inside(part, f)) continue;
       NearPair<D> pair;
+      pair.feature_number = *i;
       pair.is_least = is_local_minimum(part, f, list_.around(f), list_.around_end(f));
       if ((pair.is_least || has_fans(*i)) && measure(part, f, pair)) visit(pair);
     }
@@ -59,6 +61,8 @@ class PairSearch {
   bool is_least_in_fan(const Part<D>& part, PassableFan<D>& fan, const NearPair<D>& pair) const;
 
  private:
+  /** The note of the list on a feature, with the obstacles there. Throws std::bad_alloc. */
+  ObstaclesAtFeature& obstacles_at(uint32_t feature) const;
   /** Whether the obstacles at a feature are in several fans of cells. If they are in one, nothing that loses against one of them
    * is a row: it ends in that fan, or in one without obstacles. The list remembers it. Throws std::bad_alloc. */
   bool has_fans(uint32_t feature) const;

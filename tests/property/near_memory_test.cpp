@@ -101,5 +101,55 @@ TEST_P(NearMemoryTest, ChangesNothing) {
   EXPECT_GT(rows_seen, 50u);
 }
 
+/// Makes a wall of some rows passable, or some of what was opened a wall again. A face that a body passes stays open.
+void change_marks(const Place& place, const std::vector<dsw_near_row>& rows, Rng& rng, std::vector<dsw_face_id>& open) {
+  if (!open.empty() && rng.chance(0.4)) {
+    const size_t at = rng.below(open.size());
+    if (dsw_environment_mark_faces(place.get(), &open[at], 1, DSW_MARK_IMPASSABLE) == DSW_STATUS_OK) {
+      open.erase(open.begin() + static_cast<ptrdiff_t>(at));
+    }
+  } else if (!rows.empty()) {
+    const dsw_face_id wall = rows[rng.below(rows.size())].wall;
+    if (dsw_environment_mark_faces(place.get(), &wall, 1, DSW_MARK_PASSABLE) == DSW_STATUS_OK) open.push_back(wall);
+  }
+}
+
+TEST_P(NearMemoryTest, IsForgottenWhenMarksChange) {
+  size_t rows_seen = 0, changes = 0;
+  for (uint64_t seed = 171; seed < 171 + static_cast<uint64_t>(effort_of(1)); ++seed) {
+    Place place = make_place(GetParam(), seed);
+    ASSERT_PLACE(place);
+    Rng rng(seed);
+    Motions motions(*place.world, rng);
+    const ScenePtr scene = make_scene(place.get());
+    std::vector<dsw_face_id> open;
+    size_t bodies = 0;
+    for (int i = 0; i < 1000 && bodies < 30; ++i) {
+      const double link = std::pow(10, rng.range(-2, -0.5));
+      const BodyPlan plan = long_plan(motions, rng, 2 + rng.below(9), link);
+      dsw_body_id body;
+      if (!std::all_of(plan.at.begin(), plan.at.end(), finite)) continue;
+      if (create_body(scene.get(), plan, DSW_LEVEL_FACES, 0, {}, &body) != DSW_STATUS_OK) continue;
+      ++bodies;
+      const double margin = place.world->size * link * std::pow(2, rng.range(-1, 2));
+      for (int round = 0; round < 8; ++round) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " body " + std::to_string(i) + " round " + std::to_string(round));
+        const std::vector<dsw_near_row> rows = rows_of_call(scene.get(), body, margin);
+        dsw_body_id fresh;
+        ASSERT_EQ(create_body(scene.get(), plan, DSW_LEVEL_FACES, 0, {}, &fresh), DSW_STATUS_OK);
+        ASSERT_TRUE(are_same(rows, rows_of_call(scene.get(), fresh, margin))) << rows.size() << " rows";
+        dsw_body_destroy(scene.get(), fresh);
+        rows_seen += rows.size();
+        const size_t before = open.size();
+        change_marks(place, rows, rng, open);
+        changes += open.size() != before;
+      }
+      dsw_body_destroy(scene.get(), body);
+    }
+  }
+  EXPECT_GT(rows_seen, 50u);
+  EXPECT_GT(changes, 5u);
+}
+
 }  // namespace
 }  // namespace dsw::oracle
