@@ -53,8 +53,8 @@ unset PYTHONDONTWRITEBYTECODE
 export PYTHONPYCACHEPREFIX=$PWD/build/bytecode
 
 # ASan keeps two frames for each allocation: GMP's frames can't be unwound, and storing them took most of the time. With one frame
-# no leak would be reported.
-export ASAN_OPTIONS=malloc_context_size=2
+# no leak would be reported. Memory that was freed is kept apart up to 16 MB: with 256 MB, a fifteenth of the time went into new pages.
+export ASAN_OPTIONS=malloc_context_size=2:quarantine_size_mb=16
 
 failed=0
 
