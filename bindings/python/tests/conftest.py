@@ -5,7 +5,18 @@ from collections.abc import Iterator
 import pytest
 
 import dartsweep as ds
+import warm
+from dartsweep import surfaces
+from dartsweep._door import apart
 from scenario import create
+
+
+@pytest.fixture(autouse=True)
+def _start_processes_warm(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tests of what a process of its own loads, and of how one ends, are marked `cold`: they get one that is begun as users' are."""
+    if request.node.get_closest_marker("cold") is None:
+        for module in (apart, surfaces):
+            monkeypatch.setattr(module, "subprocess", warm)
 
 
 @pytest.fixture

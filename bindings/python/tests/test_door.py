@@ -144,6 +144,7 @@ def test_every_reader_that_can_read_a_file_gives_the_same_mesh(tmp_path: pathlib
         assert [volume_of(each) for each in made] == pytest.approx([6] * len(ways))
 
 
+@pytest.mark.cold
 @pytest.mark.parametrize(
     ("word", "found"),
     [("exit", r"VTK has crashed \(.*exit code 3\)"), ("crash", r"VTK has crashed \(.*SIGKILL\)"), ("loop", "VTK had not read it after 3 s"), ("odd", "KeyError: 'odd'")],

@@ -37,6 +37,7 @@ def boxes(tmp_path: pathlib.Path) -> dict[str, pathlib.Path]:
     return found
 
 
+@pytest.mark.cold
 def test_only_whole_binary_files_are_read_in_the_process(boxes: dict[str, pathlib.Path], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gmsh_reader, "_LARGE", 0)
     apart = {name: gmsh_reader.is_apart(str(path), "msh") for name, path in boxes.items()}
@@ -81,6 +82,7 @@ def test_a_damaged_large_file_is_read_apart(damage: str, boxes: dict[str, pathli
         assert "damaged.msh" in str(error)
 
 
+@pytest.mark.cold
 def test_a_process_of_its_own_needs_no_compiled_library(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The demo reads meshes with the sources of the package alone: here only NumPy is beside them."""
     for name in ("numpy", "numpy.libs"):

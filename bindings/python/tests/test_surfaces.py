@@ -111,6 +111,7 @@ def make(filled: ds.surfaces.FilledSurface) -> ds.Environment:
     return ds.Environment(filled.points, filled.cells, regions=filled.regions)
 
 
+@pytest.mark.cold
 def test_a_surface_of_a_file(tmp_path: pathlib.Path) -> None:
     path = tmp_path / "ball.stl"
     trimesh.creation.icosphere(radius=2.0).export(path)
@@ -363,6 +364,7 @@ def test_a_missing_package_names_the_extra(package: str, monkeypatch: pytest.Mon
         ds.from_surface(path)
 
 
+@pytest.mark.cold
 def test_a_crash_of_the_tools_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ds.surfaces, "_START", "import os; os.abort()")
     with pytest.raises(ds.surfaces.SurfaceError, match="^surface: .*crashed"):
