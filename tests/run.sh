@@ -123,11 +123,12 @@ make_library() {
     cmake --install build/release --prefix build/dartsweep
 }
 
-# The static library as others find it, in build/dartsweep-static/prefix, once for all steps.
+# The static library as others find it, in build/dartsweep-static/prefix, and the rod, once for all steps.
+rod=build/release/examples/physics/libdartsweep_rod.a
 install_static_library() { one_at_a_time make_static_library; }
 make_static_library() {
   [ ! -e build/static.made ] || return 0
-  cmake --preset release && cmake --build --preset release --target dartsweep_internal &&
+  cmake --preset release && cmake --build --preset release --target dartsweep_internal dartsweep_rod &&
     CC=cc CXX=c++ tests/package/package_test.sh static "$PWD/build/release" "$PWD/build/dartsweep-static" &&
     touch build/static.made
 }
@@ -138,7 +139,7 @@ install_python() {
 }
 make_python() {
   [ ! -e build/python.made ] || return 0
-  bindings/python/install.sh build/dartsweep-static/prefix && touch build/python.made
+  bindings/python/install.sh build/dartsweep-static/prefix "$rod" && touch build/python.made
 }
 
 # step_NAME: all of a step.
@@ -189,7 +190,7 @@ step_packages() {
   bindings/packages/build.sh build/packages linux-x64 linux-arm64 win-x64 osx-arm64 osx-x64 wasm32 && bindings/packages/check.sh build/packages
 }
 step_browser() { examples/browser/test.sh; }
-step_python() { install_python && install_library && bindings/python/test.sh; }
+step_python() { install_python && install_library && bindings/python/test.sh "$rod"; }
 step_docs() { install_python && bindings/docs/build.sh build/python/venv/bin/python; }
 step_java() { install_static_library && bindings/java/test.sh build/dartsweep-static/prefix; }
 step_csharp() { install_static_library && bindings/csharp/test.sh build/dartsweep-static/prefix; }

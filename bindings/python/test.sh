@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# The tests of the wheel that install.sh has installed, the examples, the planning and the coupling that stand on it, and the demo's surfaces.
+# The tests of the wheel that install.sh has installed, the examples, the planning and the coupling that stand on it, and the demo's surfaces:
+# bindings/python/test.sh [ROD], which is bindings/rod as a static library, else it is compiled.
 set -euo pipefail
+rod=${1:+$(realpath "$1")}
 cd "$(dirname "$0")/../.."
 python=$PWD/build/python/venv/bin/python
 tests=$PWD/build/python/tests.xml
@@ -8,7 +10,7 @@ tests=$PWD/build/python/tests.xml
 # The module once more, with the shared library that the tests of abi/ guard, in build/dartsweep: another processor compiles it meanwhile.
 build_shared() {
   PATH=$(dirname "$python"):$PATH cmake -S bindings/python -B build/python/shared -DCMAKE_BUILD_TYPE=Release -DDSW_QUICK_BUILD=ON -DDSW_USE_INSTALLED=ON \
-    -DDSW_PYTHON_SHARED=ON -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" && cmake --build build/python/shared
+    -DDSW_PYTHON_SHARED=ON "-DDSW_ROD=$rod" -DCMAKE_PREFIX_PATH="$PWD/build/dartsweep" -DPython3_EXECUTABLE="$python" && cmake --build build/python/shared
 }
 build_shared >build/python/shared.log 2>&1 &
 build=$!
