@@ -8,7 +8,8 @@
 namespace dsw::oracle {
 namespace {
 
-constexpr size_t kBodies = 40, kRounds = 6;
+constexpr size_t kRounds = 6;
+const auto kBodies = static_cast<size_t>(std::max(16, effort_of(40)));
 
 dsw_move_options round_options(size_t round) {
   dsw_move_options options = defaults(dsw_move_options_init);
