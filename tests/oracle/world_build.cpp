@@ -4,25 +4,34 @@
 #include <algorithm>
 #include <cfloat>
 #include <cstring>
-#include <map>
+#include <unordered_map>
 
 namespace dsw::oracle {
 namespace {
 
-using Key = std::array<uint64_t, 3>;
-
-Key key_of(const double* p) {
-  Key key;
-  for (size_t k = 0; k < 3; ++k) {
-    const double x = p[k] == 0 ? 0 : p[k];  // -0 and 0 are one place
-    std::memcpy(&key[k], &x, sizeof x);
+struct HashOfInts {
+  size_t operator()(const std::vector<int>& v) const {
+    uint64_t hash = 0;
+    for (int x : v) hash = (hash ^ static_cast<uint32_t>(x)) * 0x9e3779b97f4a7c15u, hash ^= hash >> 32;
+    return static_cast<size_t>(hash);
   }
-  return key;
-}
+};
 
 std::vector<int> sorted(std::vector<int> v) {
   std::sort(v.begin(), v.end());
   return v;
+}
+
+/// The vertex of a cell that is there; -1: none is.
+int vertex_at(const Mesh& mesh, const Cell& cell, const double* p) {
+  int found = -1;
+  for (const Loop& loop : cell.faces) {
+    for (int v : loop) {
+      const Vec& at = mesh.points[static_cast<size_t>(v)];
+      if (at[0] == p[0] && at[1] == p[1] && at[2] == p[2]) found = v;
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -42,7 +51,8 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
   cell_triangles.resize(count);
   cell_faces.resize(count);
   used_.assign(mesh.points.size(), 0);
-  std::map<std::vector<int>, int> face_of;  // sorted vertices, and what tells it from others with the same -> face
+  // Sorted vertices, and what tells it from others with the same -> face.
+  std::unordered_map<std::vector<int>, int, HashOfInts> face_of;
   for (size_t c = 0; c < count; ++c) {
     if (!changed.volumes.empty()) {
       ids[c] = changed.volumes[c];
@@ -69,7 +79,6 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
   }
   dsw_trace* trace = nullptr;
   dsw_trace_create(nullptr, &trace);
-  std::map<std::pair<int, std::vector<int>>, int> triangle_of;  // by face: two faces may have three vertices in common
   for (size_t c = 0; c < count && fault_.empty(); ++c) {
     dsw_trace_clear(trace);
     dsw_trace_data data;
@@ -80,21 +89,18 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
       fault_ = "no trace of cell " + std::to_string(c);
       break;
     }
-    std::map<Key, int> vertex_of;
-    for (const Loop& f : mesh.cells[c].faces) {
-      for (int v : f) vertex_of[key_of(mesh.points[static_cast<size_t>(v)].data())] = v;
-    }
-    std::map<std::pair<int, int>, int> balance;  // directed edges of the triangles, inner ones cancel
+    std::vector<std::pair<int, int>> edges, reversed;  // of the triangles
     std::vector<int> in_face(mesh.cells[c].faces.size(), 0);
     for (size_t i = 0; i < data.triangle_count; ++i) {
       std::vector<int> v;
       for (size_t k = 0; k < 3; ++k) {
-        const auto found = vertex_of.find(key_of(data.points + 3 * static_cast<size_t>(data.triangles[3 * i + k])));
-        if (found == vertex_of.end()) {
+        const int found =
+            vertex_at(mesh, mesh.cells[c], data.points + 3 * static_cast<size_t>(data.triangles[3 * i + k]));
+        if (found < 0) {
           fault_ = "a triangle of cell " + std::to_string(c) + " has a point that is none of its vertices";
           break;
         }
-        v.push_back(found->second);
+        v.push_back(found);
       }
       if (!fault_.empty()) break;
       size_t f = 0;
@@ -110,21 +116,25 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
       }
       ++in_face[f];
       for (size_t k = 0; k < 3; ++k) {
-        ++balance[{v[k], v[(k + 1) % 3]}];
-        --balance[{v[(k + 1) % 3], v[k]}];
+        edges.emplace_back(v[k], v[(k + 1) % 3]);
+        reversed.emplace_back(v[(k + 1) % 3], v[k]);
       }
       const int face = cell_faces[c][f];
-      const auto [it, fresh] = triangle_of.insert({{face, sorted(v)}, static_cast<int>(triangles.size())});
-      if (fresh) {
+      std::vector<int>& of_face = faces[static_cast<size_t>(face)].triangles;
+      const auto it = std::find_if(of_face.begin(), of_face.end(), [&](int t) {
+        return std::is_permutation(v.begin(), v.end(), triangles[static_cast<size_t>(t)].v);
+      });
+      const int index = it == of_face.end() ? static_cast<int>(triangles.size()) : *it;
+      if (it == of_face.end()) {
         Triangle t;
         for (size_t k = 0; k < 3; ++k) t.v[k] = v[k];
         t.cell[0] = static_cast<int>(c);
         t.cell[1] = -1;
         t.face = face;
         triangles.push_back(t);
-        faces[static_cast<size_t>(face)].triangles.push_back(it->second);
+        of_face.push_back(index);
       } else {
-        Triangle& t = triangles[static_cast<size_t>(it->second)];
+        Triangle& t = triangles[static_cast<size_t>(index)];
         int turn = 0;
         while (turn < 3 && t.v[turn] != v[0]) ++turn;
         if (t.cell[1] >= 0 || t.face != face || t.v[(turn + 1) % 3] != v[2]) {
@@ -133,11 +143,11 @@ void World::read_topology(const dsw_environment* environment, const Changed& cha
         }
         t.cell[1] = static_cast<int>(c);
       }
-      cell_triangles[c].push_back(it->second);
+      cell_triangles[c].push_back(index);
     }
-    for (const auto& [edge, n] : balance) {
-      if (n != 0 && fault_.empty()) fault_ = "the triangles of cell " + std::to_string(c) + " do not close";
-    }
+    std::sort(edges.begin(), edges.end());
+    std::sort(reversed.begin(), reversed.end());
+    if (edges != reversed && fault_.empty()) fault_ = "the triangles of cell " + std::to_string(c) + " do not close";
     for (size_t f = 0; f < in_face.size() && fault_.empty(); ++f) {
       if (in_face[f] + 2 != static_cast<int>(mesh.cells[c].faces[f].size())) {
         fault_ = "face " + std::to_string(f) + " of cell " + std::to_string(c) + " is not covered by triangles";
@@ -229,16 +239,19 @@ std::vector<int> World::near_segment(const double* p, const double* q, double ma
     lo[k] = std::min(a, b) - margin;
     hi[k] = std::max(a, b) + margin;
   }
+  std::vector<unsigned> beyond(mesh.points.size(), 0);  // of which planes of the box each point is
+  for (size_t i = 0; i < mesh.points.size(); ++i) {
+    for (size_t k = 0; k < 3; ++k) {
+      beyond[i] |= static_cast<unsigned>(mesh.points[i][k] < lo[k]) << k;
+      beyond[i] |= static_cast<unsigned>(mesh.points[i][k] > hi[k]) << (k + 3);
+    }
+  }
   std::vector<int> near;
   for (size_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    bool apart = false;
-    for (size_t k = 0; k < 3 && !apart; ++k) {
-      const double a = mesh.points[static_cast<size_t>(t.v[0])][k], b = mesh.points[static_cast<size_t>(t.v[1])][k],
-                   c = mesh.points[static_cast<size_t>(t.v[2])][k];
-      apart = std::max({a, b, c}) < lo[k] || std::min({a, b, c}) > hi[k];
-    }
-    if (!apart) near.push_back(static_cast<int>(i));
+    const int* const v = triangles[i].v;
+    const unsigned all =
+        beyond[static_cast<size_t>(v[0])] & beyond[static_cast<size_t>(v[1])] & beyond[static_cast<size_t>(v[2])];
+    if (all == 0) near.push_back(static_cast<int>(i));
   }
   return near;
 }
