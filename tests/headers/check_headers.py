@@ -3,7 +3,8 @@
 has them all in every version. What a header lacks does not depend on the version, except that newer standard headers include more. So the
 oldest version is the strictest.
 
-usage: check_headers.py INCLUDE_DIR C_COMPILER CXX_COMPILER
+usage: check_headers.py INCLUDE_DIR C_COMPILER CXX_COMPILER [--whole]
+                     --whole: only the headers that have them all, for a second compiler, which finds what the first doesn't warn of
        check_headers.py --self-test C_COMPILER CXX_COMPILER
 Exit 0: all compile; 1: the combinations that do not are named; 77: a compiler is missing.
 """
@@ -54,7 +55,7 @@ def standards_of(header, whole):
     return C_STANDARDS + CXX_STANDARDS if header in whole else OLDEST
 
 
-def failures(include_dir, c_compiler, cxx_compiler):
+def failures(include_dir, c_compiler, cxx_compiler, only_whole=False):
     headers = sorted(str(path.relative_to(include_dir)) for path in include_dir.rglob("*.h*"))
     if not headers:
         sys.exit(f"no header found in {include_dir}")
@@ -62,7 +63,7 @@ def failures(include_dir, c_compiler, cxx_compiler):
     cases += [(cxx_compiler, "c++", standard) for standard in CXX_STANDARDS]
     found, count = [], 0
     whole = with_all(include_dir, headers, ".h") + with_all(include_dir, headers, ".hpp")
-    for header in headers:
+    for header in whole if only_whole else headers:
         for compiler, language, standard in cases:
             if standard not in standards_of(header, whole):
                 continue
@@ -98,9 +99,10 @@ def self_test(c_compiler, cxx_compiler):
 
 
 def main():
-    if len(sys.argv) != 4:
+    only_whole = sys.argv[4:] == ["--whole"]
+    if len(sys.argv) != 4 + only_whole:
         sys.exit(__doc__)
-    include_dir, c_compiler, cxx_compiler = sys.argv[1:]
+    include_dir, c_compiler, cxx_compiler = sys.argv[1:4]
     for compiler in (c_compiler, cxx_compiler):
         if shutil.which(compiler) is None:
             print(f"skipped: no {compiler} here")
@@ -108,7 +110,7 @@ def main():
     if include_dir == "--self-test":
         self_test(c_compiler, cxx_compiler)
         return
-    count, found = failures(pathlib.Path(include_dir), c_compiler, cxx_compiler)
+    count, found = failures(pathlib.Path(include_dir), c_compiler, cxx_compiler, only_whole)
     for header, compiler, standard, complaint in found:
         print(f"FAILED: {header} alone with {compiler} -std={standard}\n{complaint}")
     print(f"{count - len(found)} of {count} combinations compile")

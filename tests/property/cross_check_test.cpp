@@ -218,11 +218,11 @@ Mesh make_vessel() {
 
 /// What run(bench, figures) finds in all made scenes, as large as this and with something impassable; judged.
 template <class Run>
-AllFigures judge_scenes(double size, uint64_t seeds, Run run) {
+AllFigures judge_scenes(double size, int seeds, Run run) {
   AllFigures sum;
   for (const SceneKind& kind : scene_kinds()) {
     AllFigures all;
-    for (uint64_t seed = 1; seed <= seeds; ++seed) {
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(seeds); ++seed) {
       Rng rng(seed);
       Mesh mesh = kind.make(rng);
       scale(mesh, size);
@@ -259,7 +259,7 @@ TEST_P(CrossCheckTest, NormalsOfMadeScenes) {
 }
 
 TEST_P(CrossCheckTest, NormalsOfBodies) {
-  const AllFigures sum = judge_scenes(GetParam(), 4, [](Bench& bench, AllFigures& all) {
+  const AllFigures sum = judge_scenes(GetParam(), std::max(2, effort_of(4)), [](Bench& bench, AllFigures& all) {
     for (dsw_level level : {DSW_LEVEL_POINTS, DSW_LEVEL_EDGES, DSW_LEVEL_EDGES_SWEPT, DSW_LEVEL_FACES}) {
       all.add(bench.run_bodies(level, 60));
     }
@@ -382,6 +382,7 @@ TEST_P(CrossCheckMeshTest, NormalsOfRealMeshes) {
   ASSERT_TRUE(read_mesh(path, original, reason)) << reason;
   AllFigures sum;
   for (const double by : kScales) {
+    if (by != 1 && effort_of(4) < 2) continue;
     Mesh mesh = original;
     scale(mesh, by);
     const EnvironmentPtr environment = create_environment(mesh, {}, DSW_ENVIRONMENT_LOCATE_TREE);
