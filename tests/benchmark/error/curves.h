@@ -14,10 +14,10 @@ struct Options {
   std::string out;   // a folder that exists
   std::uint64_t seed = 1;
 
-  /** A count for this run, at least 20. */
+  /** A count for this run, at least 8. */
   std::size_t count(std::size_t quick_count, std::size_t full_count) const {
     const double wanted = scale * static_cast<double>(quick ? quick_count : full_count);
-    return wanted < 20 ? 20 : static_cast<std::size_t>(wanted);
+    return wanted < 8 ? 8 : static_cast<std::size_t>(wanted);
   }
   int rounds() const { return quick ? 3 : 7; }
 };
